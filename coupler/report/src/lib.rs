@@ -1,0 +1,1 @@
+//! Plots, pictures and the self-contained report of a run.

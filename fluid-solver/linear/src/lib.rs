@@ -1,0 +1,1 @@
+//! Sparse linear algebra: CSR, Krylov solvers, preconditioners, multigrid, direct factors; knows no elements.
