@@ -1,1 +1,17 @@
 //! Frames, messages, participant states, transports and liveness: all that crosses between the three programs.
+//!
+//! The coupler owns the clock and speaks first; a participant answers. Bulk data cross as [`frames`] over a
+//! [`transport`] (shared memory between processes, or channels between threads of one process), commands and
+//! reports as [`message`]s. [`participant::serve`] runs the state machine of a solver.
+
+pub mod error;
+pub mod frames;
+pub mod ledger;
+pub mod message;
+pub mod participant;
+pub mod pulse;
+pub mod run;
+pub mod state;
+pub mod transport;
+
+pub use error::InterfaceError;

@@ -1,0 +1,117 @@
+//! What a solver implements, and the loop that serves the coupler.
+
+use crate::error::InterfaceError;
+use crate::frames::PROTOCOL;
+use crate::message::{
+    Command, Commit, Committed, Failure, Hello, Opened, Ready, Report, Solved, Usage, Window,
+};
+use crate::state::State;
+use crate::transport::CommandReceiver;
+
+/// Answer to an open window.
+pub enum Opening {
+    /// The state is saved.
+    Opened(Opened),
+    /// Δt exceeds this bound \[s\].
+    TooLarge(f64),
+}
+
+/// One side of the coupling. Errors end the run; they carry their exit code.
+pub trait Participant {
+    /// Hashes of the case and the plan this side has loaded.
+    fn identity(&self) -> (u64, u64);
+    /// Counts and the largest Δt.
+    fn ready(&mut self) -> Result<Ready, Failure>;
+    /// Saves the state and prepares the window.
+    fn open(&mut self, window: Window) -> Result<Opening, Failure>;
+    /// Does this side's part of the iteration.
+    fn advance(&mut self, iteration: u32) -> Result<Solved, Failure>;
+    /// Goes back to the state saved at `open`.
+    fn restore(&mut self) -> Result<(), Failure>;
+    /// Makes the window history.
+    fn commit(&mut self, commit: &Commit) -> Result<Committed, Failure>;
+    /// Flushes what is committed.
+    fn stop(&mut self, reason: &str) -> Usage;
+}
+
+/// A place in the run where a participant stays until it is killed, so that tests strike at a known moment.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hold {
+    /// Window number.
+    pub window: u64,
+    /// Command that it receives and does not answer.
+    pub command: String,
+    /// File made when the place is reached.
+    pub marker: std::path::PathBuf,
+}
+
+/// Serves commands until `stop`, a failure or the loss of the coupler.
+///
+/// # Errors
+/// The participant's own failure as [`InterfaceError::Participant`] after it was reported; a dead or frozen
+/// coupler; an illegal message.
+pub fn serve<P: Participant>(
+    participant: &mut P,
+    control: &mut CommandReceiver,
+    hold: Option<&Hold>,
+) -> Result<(), InterfaceError> {
+    let mut state = State::Launched;
+    let mut window = 0;
+    while state != State::Ended {
+        let command = control.wait()?;
+        if let Command::Open(opened) = &command {
+            window = opened.number;
+        }
+        if let Some(hold) = hold.filter(|hold| hold.window == window && hold.command == command.name()) {
+            control.hold(hold)?;
+        }
+        let report = match state.check(&command) {
+            Ok(()) => answer(participant, &command).unwrap_or_else(Report::Failed),
+            Err(error) => {
+                Report::Failed(Failure { exit_code: error.exit_code(), message: error.to_string() })
+            }
+        };
+        control.answer(&report)?;
+        state = state.after(&report);
+        if let Report::Failed(Failure { exit_code, message }) = report {
+            return Err(InterfaceError::Participant { exit_code, message });
+        }
+    }
+    Ok(())
+}
+
+fn answer<P: Participant>(participant: &mut P, command: &Command) -> Result<Report, Failure> {
+    Ok(match command {
+        Command::Hello(hello) => {
+            refuse_difference(hello, participant.identity())?;
+            Report::Ready(participant.ready()?)
+        }
+        Command::Open(window) => match participant.open(*window)? {
+            Opening::Opened(opened) => Report::Opened(opened),
+            Opening::TooLarge(bound) => Report::TooLarge { bound },
+        },
+        Command::Advance { iteration } => Report::Solved(Box::new(participant.advance(*iteration)?)),
+        Command::Restore => {
+            participant.restore()?;
+            Report::Restored
+        }
+        Command::Commit(commit) => Report::Committed(participant.commit(commit)?),
+        Command::Stop { reason } => Report::Ended(participant.stop(reason)),
+    })
+}
+
+fn refuse_difference(hello: &Hello, (case_hash, plan_hash): (u64, u64)) -> Result<(), Failure> {
+    let pairs = [
+        ("protocol", PROTOCOL.to_string(), hello.protocol.to_string()),
+        ("version", env!("CARGO_PKG_VERSION").to_string(), hello.version.clone()),
+        ("case", format!("{case_hash:016x}"), format!("{:016x}", hello.case_hash)),
+        ("plan", format!("{plan_hash:016x}"), format!("{:016x}", hello.plan_hash)),
+    ];
+    for (field, own, theirs) in pairs {
+        if own != theirs {
+            let error = InterfaceError::Difference { field, own, theirs };
+            return Err(Failure { exit_code: error.exit_code(), message: error.to_string() });
+        }
+    }
+    Ok(())
+}
