@@ -4,6 +4,8 @@
 //! [`transport`] (shared memory between processes, or channels between threads of one process), commands and
 //! reports as [`message`]s. [`participant::serve`] runs the state machine of a solver.
 
+pub mod alone;
+pub mod assignment;
 pub mod error;
 pub mod frames;
 pub mod ledger;
@@ -13,5 +15,7 @@ pub mod pulse;
 pub mod run;
 pub mod state;
 pub mod transport;
+pub mod usage;
 
 pub use error::InterfaceError;
+pub use frames::{GrainRow, HydroRow, ImpulseRow, ReactionRow, SampleRow};

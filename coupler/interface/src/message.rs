@@ -36,9 +36,9 @@ pub struct Hello {
     /// Program version.
     pub version: String,
     /// Hash of the resolved case.
-    pub case_hash: u64,
+    pub case_hash: String,
     /// Hash of the plan.
-    pub plan_hash: u64,
+    pub plan_hash: String,
 }
 
 /// A time window t → t + Δt.

@@ -7,6 +7,7 @@ use crate::message::{
 };
 use crate::state::State;
 use crate::transport::CommandReceiver;
+use serde::{Deserialize, Serialize};
 
 /// Answer to an open window.
 pub enum Opening {
@@ -19,7 +20,7 @@ pub enum Opening {
 /// One side of the coupling. Errors end the run; they carry their exit code.
 pub trait Participant {
     /// Hashes of the case and the plan this side has loaded.
-    fn identity(&self) -> (u64, u64);
+    fn identity(&self) -> (String, String);
     /// Counts and the largest Δt.
     fn ready(&mut self) -> Result<Ready, Failure>;
     /// Saves the state and prepares the window.
@@ -35,7 +36,7 @@ pub trait Participant {
 }
 
 /// A place in the run where a participant stays until it is killed, so that tests strike at a known moment.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Hold {
     /// Window number.
     pub window: u64,
@@ -80,6 +81,16 @@ pub fn serve<P: Participant>(
     Ok(())
 }
 
+/// Answers the first command with the reason why this side cannot take part.
+///
+/// # Errors
+/// The failure itself once it is told; a dead or frozen coupler.
+pub fn refuse(control: &mut CommandReceiver, failure: Failure) -> Result<(), InterfaceError> {
+    control.wait()?;
+    control.answer(&Report::Failed(failure.clone()))?;
+    Err(InterfaceError::Participant { exit_code: failure.exit_code, message: failure.message })
+}
+
 fn answer<P: Participant>(participant: &mut P, command: &Command) -> Result<Report, Failure> {
     Ok(match command {
         Command::Hello(hello) => {
@@ -100,12 +111,12 @@ fn answer<P: Participant>(participant: &mut P, command: &Command) -> Result<Repo
     })
 }
 
-fn refuse_difference(hello: &Hello, (case_hash, plan_hash): (u64, u64)) -> Result<(), Failure> {
+fn refuse_difference(hello: &Hello, (case_hash, plan_hash): (String, String)) -> Result<(), Failure> {
     let pairs = [
         ("protocol", PROTOCOL.to_string(), hello.protocol.to_string()),
         ("version", env!("CARGO_PKG_VERSION").to_string(), hello.version.clone()),
-        ("case", format!("{case_hash:016x}"), format!("{:016x}", hello.case_hash)),
-        ("plan", format!("{plan_hash:016x}"), format!("{:016x}", hello.plan_hash)),
+        ("case", case_hash, hello.case_hash.clone()),
+        ("plan", plan_hash, hello.plan_hash.clone()),
     ];
     for (field, own, theirs) in pairs {
         if own != theirs {

@@ -165,6 +165,12 @@ pub(crate) fn require_space(needed: u64, rows: u64) -> Result<(), InterfaceError
     Err(InterfaceError::NoSpace { needed, free, rows, path: MEMORY.to_string() })
 }
 
+/// Leaves Ctrl-C to the coupler, which ends the run at the next commit.
+pub fn leave_interrupts_to_coupler() {
+    // SAFETY: ignoring a signal has no preconditions.
+    unsafe { libc::signal(libc::SIGINT, libc::SIG_IGN) };
+}
+
 /// When a process started, by the kernel's clock; none if it is dead or a zombie.
 pub(crate) fn process_start(pid: u32) -> Option<u64> {
     let text = std::fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;

@@ -21,8 +21,8 @@ struct Follower {
 }
 
 impl Participant for Follower {
-    fn identity(&self) -> (u64, u64) {
-        (7, 8)
+    fn identity(&self) -> (String, String) {
+        ("7".into(), "8".into())
     }
     fn ready(&mut self) -> Result<Ready, Failure> {
         Ok(Ready { size: self.position.len() as u64, largest_step: 1.0, time: 0.0 })
@@ -80,8 +80,8 @@ fn hello() -> Command {
     Command::Hello(Hello {
         protocol: PROTOCOL,
         version: env!("CARGO_PKG_VERSION").into(),
-        case_hash: 7,
-        plan_hash: 8,
+        case_hash: "7".into(),
+        plan_hash: "8".into(),
     })
 }
 
@@ -174,8 +174,8 @@ fn a_participant_refuses_another_version_case_or_plan() {
     for bad in [
         Hello { protocol: 99, ..good.clone() },
         Hello { version: "0.0.0".into(), ..good.clone() },
-        Hello { case_hash: 1, ..good.clone() },
-        Hello { plan_hash: 1, ..good },
+        Hello { case_hash: "1".into(), ..good.clone() },
+        Hello { plan_hash: "1".into(), ..good },
     ] {
         let (mut coupler, dem, _fluid) = in_process::connect(RunId::new());
         let thread = std::thread::spawn(|| follow(dem, 1));
