@@ -1,0 +1,7 @@
+//! Direct factors.
+
+mod cholesky;
+mod lu;
+
+pub use cholesky::SparseCholesky;
+pub use lu::DenseLu;
