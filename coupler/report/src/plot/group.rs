@@ -1,0 +1,62 @@
+//! Which columns of a series share a plot.
+
+use case_io::output::series::{Column, Series, Title};
+
+use super::{Curve, PALETTE, Scale};
+
+/// Curves of one unit over time.
+#[derive(Debug)]
+pub(crate) struct Plot {
+    pub(crate) title: String,
+    pub(crate) time: Title,
+    pub(crate) unit: String,
+    pub(crate) scale: Scale,
+    pub(crate) curves: Vec<Curve>,
+}
+
+/// Values that differ by more than this factor do not share an axis: the smaller would be a flat line.
+const LARGEST_RATIO: f64 = 100.0;
+
+/// The plots of a series: columns of one unit and of like size share one, in the order of the columns.
+pub(crate) fn plots_of(title: &str, series: &Series, choose_scale: fn(&[&Column]) -> Scale) -> Vec<Plot> {
+    let Some((time, columns)) = series.columns().split_first() else { return Vec::new() };
+    let mut groups: Vec<Vec<&Column>> = Vec::new();
+    for column in columns {
+        let fits = |group: &&mut Vec<&Column>| {
+            let like = |other: &&Column| {
+                let (one, two) = (largest(column), largest(other));
+                one == 0.0 || two == 0.0 || one.max(two) <= LARGEST_RATIO * one.min(two)
+            };
+            group.len() < PALETTE.len() && group[0].title.unit == column.title.unit && group.iter().all(like)
+        };
+        match groups.iter_mut().find(fits) {
+            Some(group) => group.push(column),
+            None => groups.push(vec![column]),
+        }
+    }
+    groups
+        .into_iter()
+        .map(|group| {
+            let scale = choose_scale(&group);
+            let curve = |column: &&Column| {
+                let places: Vec<f64> = column.values.iter().map(|&value| scale.place(value)).collect();
+                Curve::new(&column.title.name, &time.values, &places)
+            };
+            Plot {
+                title: title.to_owned(),
+                time: time.title.clone(),
+                unit: group[0].title.unit.clone(),
+                scale,
+                curves: group.iter().map(curve).collect(),
+            }
+        })
+        .collect()
+}
+
+fn largest(column: &Column) -> f64 {
+    column
+        .values
+        .iter()
+        .filter(|value| value.is_finite())
+        .fold(0.0, |largest, value| value.abs().max(largest))
+}
