@@ -1,0 +1,39 @@
+//! What a grain does to the fluid, once it has moved through the window.
+
+use interface::frames::{GrainRow, HydroRow, ImpulseRow, ReactionRow, SampleRow};
+
+use super::exchange::{effective_exchange_coefficient, impulse_taken, target_velocity_from_impulse};
+
+/// A grain's passage through a window of length Δt.
+#[derive(Clone, Copy, Debug)]
+pub struct Passage<'a> {
+    /// The grain when the window opened.
+    pub before: &'a GrainRow,
+    /// The same grain at the end of the window.
+    pub after: &'a GrainRow,
+    /// The fluid that it was given.
+    pub sample: &'a SampleRow,
+    /// What the fluid was said to do to it.
+    pub hydro: &'a HydroRow,
+    /// What it received.
+    pub impulse: &'a ImpulseRow,
+}
+
+/// The reaction F − β_e(u − v*) on the fluid over a window \[s\].
+///
+/// The fluid gets −X, X = J + m_A(Du/Dt Δt − Δv), as long as it keeps the velocity that the grain felt, and resists change
+/// as the grain does. The reactions to −V∇p and +V∇·τ are in the model A equations of the fluid, so F = 0. What the grain
+/// has not felt of the window's end is [`undelivered`](super::exchange::undelivered).
+pub fn reaction(passage: &Passage<'_>, window: f64) -> ReactionRow {
+    let Passage { before, after, sample, hydro, impulse } = passage;
+    let change = std::array::from_fn(|k| after.velocity[k] - before.velocity[k]);
+    let taken = impulse_taken(impulse.drag, hydro.added_mass, sample.acceleration, change, window);
+    let coefficient =
+        effective_exchange_coefficient(before.mass, hydro.added_mass, hydro.exchange_coefficient, window);
+    ReactionRow {
+        force: [0.0; 3],
+        exchange_coefficient: coefficient,
+        added_mass: hydro.added_mass,
+        target_velocity: target_velocity_from_impulse(hydro.fluid_velocity, taken, coefficient, window),
+    }
+}
