@@ -1,0 +1,6 @@
+//! Meshes: generators, checks, reader, search.
+
+mod checks;
+mod generators;
+mod gmsh;
+mod locate;
