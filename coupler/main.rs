@@ -1,1 +1,5 @@
-fn main() {}
+//! The executable `coupler`.
+
+fn main() -> std::process::ExitCode {
+    coupler::command::main()
+}

@@ -96,8 +96,10 @@ pub struct Ready {
     pub size: u64,
     /// Largest Δt this side allows \[s\].
     pub largest_step: f64,
-    /// Time and window number that the state belongs to: the start, or a restart point.
+    /// Time that the state belongs to \[s\]: the start, or a restart point.
     pub time: f64,
+    /// Findings for `coupler check`: sizes, limits and what binds them.
+    pub notes: Vec<String>,
 }
 
 /// A participant with an open window.

@@ -1,0 +1,28 @@
+//! `[materials.*]` and `[pairs.*]`: what grains and walls are made of, and how two materials touch.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::quantity::{Density, Pressure};
+
+/// `[materials.NAME]`
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Material {
+    /// Mass density.
+    pub density: Density,
+    /// Young's modulus E (needed where contacts are possible).
+    pub youngs_modulus: Option<Pressure>,
+    /// Poisson's ratio ν, in (-1, 0.5] (needed where contacts are possible).
+    pub poissons_ratio: Option<f64>,
+}
+
+/// `[pairs.NAME-NAME]`, the names in either order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Pair {
+    /// Coefficient of restitution e, in (0, 1].
+    pub restitution: f64,
+    /// Coefficient of sliding friction μ, not negative.
+    pub sliding_friction: f64,
+}

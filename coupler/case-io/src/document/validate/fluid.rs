@@ -1,0 +1,298 @@
+//! `[fluid]` and `[[fluid.boundary]]`
+
+use super::mesh::{self, boundary_names};
+use super::rules::Rules;
+use crate::document::{Backend, Boundary, BoundaryKind, BoundaryVelocity, Document, Fluid, Mesh};
+use crate::error::CaseError;
+
+pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
+    let Some(fluid) = &document.fluid else { return Ok(()) };
+    rules.positive("fluid.density", fluid.density)?;
+    rules.positive("fluid.viscosity", fluid.viscosity)?;
+    match fluid.backend {
+        Backend::Imposed => imposed(fluid, rules),
+        Backend::Eulerian => computed(fluid, rules),
+    }
+}
+
+fn imposed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
+    for key in ["mesh", "boundary", "velocity", "body-force", "solve"] {
+        rules.no_effect(&format!("fluid.{key}"), "with backend = \"imposed\"")?;
+    }
+    rules.required(
+        "fluid.field",
+        "an imposed flow is stated there: field = { velocity = […], pressure = \"…\" }",
+    )?;
+    fluid
+        .field
+        .as_ref()
+        .map_or(Ok(()), |field| rules.components("fluid.field.velocity", field.velocity.len()))
+}
+
+fn computed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
+    rules.no_effect("fluid.field", "with backend = \"eulerian\"")?;
+    rules.optional_vector("fluid.velocity", fluid.velocity.as_ref())?;
+    rules.optional_vector("fluid.body-force", fluid.body_force.as_ref())?;
+    let tolerance = fluid.solve_tolerance();
+    rules.number(
+        "fluid.solve.tolerance",
+        tolerance,
+        tolerance > 0.0 && tolerance < 1.0,
+        "more than 0, less than 1",
+    )?;
+    let Some(mesh) = &fluid.mesh else {
+        let advice = "backend \"eulerian\" needs it: add [fluid.mesh] with box, pipe or gmsh";
+        return rules.required("fluid.mesh", advice);
+    };
+    mesh::check(mesh, rules)?;
+    covered(fluid, mesh, rules)?;
+    fluid.boundary.iter().enumerate().try_for_each(|(k, condition)| boundary(condition, k, rules))
+}
+
+/// Every boundary of the mesh has exactly one condition.
+fn covered(fluid: &Fluid, mesh: &Mesh, rules: &Rules) -> Result<(), CaseError> {
+    let known = boundary_names(mesh, rules.dimension);
+    let mut named: Vec<&str> = Vec::new();
+    for (k, condition) in fluid.boundary.iter().enumerate() {
+        let key = format!("fluid.boundary[{k}].on");
+        if condition.on.is_empty() {
+            return rules.refuse(&key, "there is no name in it", "", "name boundaries of the mesh");
+        }
+        for (i, name) in condition.on.iter().enumerate() {
+            let key = format!("{key}[{i}]");
+            if let Some(known) = &known {
+                rules.known(&key, "boundary", name, known)?;
+            }
+            if named.contains(&name.as_str()) {
+                return rules.refuse(
+                    &key,
+                    format_args!("boundary \"{name}\" is named twice"),
+                    "",
+                    "delete one",
+                );
+            }
+            named.push(name);
+        }
+    }
+    let missing: Vec<&str> = known.into_iter().flatten().filter(|name| !named.contains(name)).collect();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let found = format!("no condition is stated on {}", missing.join(", "));
+    rules.refuse("fluid.boundary", found, "", "add a [[fluid.boundary]] with on = […] and kind")
+}
+
+fn boundary(boundary: &Boundary, index: usize, rules: &Rules) -> Result<(), CaseError> {
+    let table = format!("fluid.boundary[{index}]");
+    let key = |name: &str| format!("{table}.{name}");
+    let kind = boundary.kind;
+    let (used, word): (&[&str], _) = match kind {
+        BoundaryKind::NoSlip => (&[], "no-slip"),
+        BoundaryKind::Slip => (&[], "slip"),
+        BoundaryKind::Inlet => (&["velocity", "speed", "profile"], "inlet"),
+        BoundaryKind::Outlet => (&["pressure"], "outlet"),
+        BoundaryKind::MovingWall => (&["velocity"], "moving-wall"),
+    };
+    for name in ["velocity", "speed", "profile", "pressure"] {
+        if !used.contains(&name) {
+            rules.no_effect(&key(name), format_args!("with kind = \"{word}\""))?;
+        }
+    }
+    if kind == BoundaryKind::Inlet {
+        rules.exactly_one(&table, &["velocity", "speed"])?;
+        if boundary.speed.is_none() {
+            rules.no_effect(&key("profile"), "without speed")?;
+        }
+    }
+    if kind == BoundaryKind::MovingWall {
+        rules.required(&key("velocity"), "a moving wall needs it")?;
+    }
+    match &boundary.velocity {
+        Some(BoundaryVelocity::Constant(vector)) => rules.vector(&key("velocity"), vector),
+        Some(BoundaryVelocity::Expression(expressions)) => {
+            rules.components(&key("velocity.expression"), expressions.len())
+        }
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::document::fixture::{CARRIED, CHANNEL, SETTLING, assert_refusals, document};
+
+    #[test]
+    fn a_fluid_is_physical_and_has_what_its_backend_needs() {
+        assert_refusals(
+            CHANNEL,
+            &[
+                (
+                    "\"1 g/cm^3\"",
+                    "\"0 g/cm^3\"",
+                    "case.toml:9: fluid.density: found 0 kg/m^3; allowed: more than 0 kg/m^3",
+                ),
+                (
+                    "\"1 mPa*s\"",
+                    "\"1e-6 m^2/s\"",
+                    "case.toml:10: fluid.viscosity: \"1e-6 m^2/s\" is in m^2 s^-1, not a dynamic viscosity; write for example \"2.5 mPa s\" (a dynamic viscosity)",
+                ),
+                (
+                    "\"1 mPa*s\"",
+                    "\"-1 mPa*s\"",
+                    "case.toml:10: fluid.viscosity: found -0.001 Pa s; allowed: more than 0 Pa s",
+                ),
+                (
+                    "\"1 mPa*s\"",
+                    "\"1 mPa*s\"\nfield = { velocity = [\"0\", \"0\"], pressure = \"0\" }",
+                    "case.toml:11: fluid.field: has no effect with backend = \"eulerian\"; delete it",
+                ),
+                (
+                    "\"1 mPa*s\"",
+                    "\"1 mPa*s\"\nvelocity = [\"0 m/s\"]",
+                    "case.toml:11: fluid.velocity: found 1 components; allowed: 2; case.dimension is 2",
+                ),
+                (
+                    "\"1 mPa*s\"",
+                    "\"1 mPa*s\"\nbody-force = [\"0 N\", \"0 N\"]",
+                    "case.toml:11: fluid.body-force[0]: \"0 N\" is a force (m kg s^-2), not an acceleration; write for example \"2.5 m/s^2\" (an acceleration)",
+                ),
+                (
+                    "\"1 mPa*s\"",
+                    "\"1 mPa*s\"\nsolve = { tolerance = 1 }",
+                    "case.toml:11: fluid.solve.tolerance: found 1; allowed: more than 0, less than 1",
+                ),
+                (
+                    "eulerian",
+                    "eulerain",
+                    "case.toml:8: fluid.backend: unknown backend \"eulerain\"; allowed: imposed, eulerian; did you mean \"eulerian\"?",
+                ),
+            ],
+        );
+        let mesh = CHANNEL.split("[fluid.mesh]").nth(1).unwrap();
+        assert_refusals(
+            CHANNEL,
+            &[(
+                &format!("[fluid.mesh]{mesh}"),
+                "",
+                "case.toml:7: fluid.mesh: missing; backend \"eulerian\" needs it: add [fluid.mesh] with box, pipe or gmsh",
+            )],
+        );
+        assert_refusals(
+            CARRIED,
+            &[
+                (
+                    "field = {",
+                    "solve = { tolerance = 1e-9 }\nfield = {",
+                    "case.toml:21: fluid.solve: has no effect with backend = \"imposed\"; delete it",
+                ),
+                (
+                    "\"0.1*sin(t)\", ",
+                    "",
+                    "case.toml:21: fluid.field.velocity: found 2 components; allowed: 3; case.dimension is 3",
+                ),
+                (
+                    "sin(t)",
+                    "sin(q)",
+                    "case.toml:21: fluid.field.velocity[0]: expression \"0.1*sin(q)\", column 9: unknown name \"q\"; allowed: x, y, z, t, pi, sin, cos, tan, tanh, exp, log, sqrt, abs, step, min, max, pow, if",
+                ),
+                (
+                    "field = {",
+                    "#",
+                    "case.toml:17: fluid.field: missing; an imposed flow is stated there: field = { velocity = […], pressure = \"…\" }",
+                ),
+            ],
+        );
+    }
+
+    #[test]
+    fn every_boundary_has_one_condition() {
+        assert_refusals(
+            CHANNEL,
+            &[
+                (
+                    "[\"x-max\"]",
+                    "[\"x-max\", \"x-min\"]",
+                    "case.toml:22: fluid.boundary[2].on[1]: boundary \"x-min\" is named twice; delete one",
+                ),
+                (
+                    "[\"x-max\"]",
+                    "[\"x-mx\"]",
+                    "case.toml:22: fluid.boundary[2].on[0]: there is no boundary \"x-mx\"; allowed: x-min, x-max, y-min, y-max; did you mean \"x-max\"?",
+                ),
+                (
+                    "[\"x-max\"]",
+                    "[]",
+                    "case.toml:22: fluid.boundary[2].on: there is no name in it; name boundaries of the mesh",
+                ),
+                (
+                    "\"y-min\", ",
+                    "",
+                    "case.toml:13: fluid.boundary: no condition is stated on y-min; add a [[fluid.boundary]] with on = […] and kind",
+                ),
+                (
+                    "size",
+                    "periodic = [\"x\"], size",
+                    "case.toml:17: fluid.boundary[1].on[0]: there is no boundary \"x-min\"; allowed: y-min, y-max; did you mean \"y-min\"?",
+                ),
+            ],
+        );
+    }
+
+    #[test]
+    fn a_condition_states_what_its_kind_uses() {
+        assert_refusals(
+            CHANNEL,
+            &[
+                (
+                    "\"no-slip\"",
+                    "\"no-slip\"\nspeed = \"1 m/s\"",
+                    "case.toml:16: fluid.boundary[0].speed: has no effect with kind = \"no-slip\"; delete it",
+                ),
+                (
+                    "\"no-slip\"",
+                    "\"moving-wall\"",
+                    "case.toml:13: fluid.boundary[0].velocity: missing; a moving wall needs it",
+                ),
+                (
+                    "\"outlet\"",
+                    "\"outlet\"\npressure = \"1 m\"",
+                    "case.toml:24: fluid.boundary[2].pressure: \"1 m\" is a length (m), not a pressure; write for example \"2.5 Pa\" (a pressure)",
+                ),
+                (
+                    "speed = \"0.2 m/s\"\nprofile = \"parabolic\"",
+                    "",
+                    "case.toml:16: fluid.boundary[1]: none of these keys is given; allowed: exactly one of velocity, speed",
+                ),
+                (
+                    "speed = \"0.2 m/s\"",
+                    "velocity = [\"1 m/s\", \"0 m/s\"]",
+                    "case.toml:20: fluid.boundary[1].profile: has no effect without speed; delete it",
+                ),
+                (
+                    "speed = \"0.2 m/s\"\nprofile = \"parabolic\"",
+                    "velocity = [\"1 m/s\"]",
+                    "case.toml:19: fluid.boundary[1].velocity: found 1 components; allowed: 2; case.dimension is 2",
+                ),
+                (
+                    "speed = \"0.2 m/s\"\nprofile = \"parabolic\"",
+                    "velocity = { expression = [\"y\"] }",
+                    "case.toml:19: fluid.boundary[1].velocity.expression: found 1 components; allowed: 2; case.dimension is 2",
+                ),
+                (
+                    "speed = \"0.2 m/s\"\nprofile = \"parabolic\"",
+                    "velocity = { expresion = [\"y\", \"0\"] }",
+                    "case.toml:19: fluid.boundary[1].velocity.expresion: unknown key; allowed: expression; did you mean \"expression\"?",
+                ),
+                (
+                    "speed = \"0.2 m/s\"\nprofile = \"parabolic\"",
+                    "velocity = \"1 m/s\"",
+                    "case.toml:19: fluid.boundary[1].velocity: found the string \"1 m/s\"; allowed: a vector such as [\"1 m/s\", \"0 m/s\"] or { expression = [\"1-y^2\", \"0\"] }",
+                ),
+            ],
+        );
+        document(&CHANNEL.replace(
+            "speed = \"0.2 m/s\"\nprofile = \"parabolic\"",
+            "velocity = { expression = [\"1-y^2\", \"0\"] }",
+        ));
+        document(&SETTLING.replace("kind = \"outlet\"", "kind = \"outlet\"\npressure = \"1 bar\""));
+    }
+}

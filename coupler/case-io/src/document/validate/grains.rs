@@ -1,0 +1,169 @@
+//! `[grains]`
+
+use super::rules::Rules;
+use crate::document::quantity::Length;
+use crate::document::{Backend, Document, Grains, MeshSource, NormalLaw, Point};
+use crate::error::CaseError;
+
+pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
+    let Some(grains) = &document.grains else { return Ok(()) };
+    let key = "grains.characteristic-velocity";
+    match grains.normal_law {
+        NormalLaw::Hooke => {
+            rules.required(key, "the stiffness of \"hooke\" is found from it, for example \"1 m/s\"")?
+        }
+        NormalLaw::Hertz => rules.no_effect(key, "with normal-law = \"hertz\"")?,
+        NormalLaw::None => rules.no_effect(key, "with normal-law = \"none\"")?,
+    }
+    rules.optional_positive(key, grains.characteristic_velocity)?;
+    if let Some(domain) = &grains.domain {
+        rules.corners("grains.domain", &domain.lower, &domain.upper)?;
+    }
+    rules.axes("grains.periodic", &grains.periodic)?;
+    periodic(document, grains, rules)
+}
+
+/// Grains wrap where the mesh wraps, at the same places.
+fn periodic(document: &Document, grains: &Grains, rules: &Rules) -> Result<(), CaseError> {
+    let key = "grains.periodic";
+    if grains.periodic.len() == document.case.dimension.count() {
+        rules.no_effect("grains.escape", "where all axes are periodic")?;
+    }
+    let fluid = document.fluid.as_ref().filter(|fluid| fluid.backend != Backend::Imposed);
+    match fluid.and_then(|fluid| fluid.mesh.as_ref()).and_then(|mesh| mesh.source()) {
+        Some(MeshSource::Box(mesh)) => {
+            let (mut of_grains, mut of_mesh) = (grains.periodic.clone(), mesh.periodic.clone());
+            of_grains.sort();
+            of_mesh.sort();
+            if of_grains != of_mesh {
+                let found = format!("grains wrap in {of_grains:?}, the mesh in {of_mesh:?}").to_lowercase();
+                return rules.refuse(
+                    key,
+                    found,
+                    "the same axes in grains.periodic and fluid.mesh.box.periodic",
+                    "",
+                );
+            }
+            let Some(domain) = &grains.domain else { return Ok(()) };
+            for axis in of_grains {
+                let ends = |lower: &Point, upper: &Point| {
+                    [lower, upper].map(|corner| Length::from_si(corner.to_array::<3>()[axis.index()]))
+                };
+                let [from, to] = ends(&domain.lower, &domain.upper);
+                let [mesh_from, mesh_to] = ends(&mesh.lower, &mesh.upper);
+                if [from, to] != [mesh_from, mesh_to] {
+                    let found =
+                        format!("goes from {from} to {to} on the periodic axis {axis:?}").to_lowercase();
+                    let allowed = format!("{mesh_from} to {mesh_to}, as the mesh");
+                    return rules.refuse("grains.domain", found, allowed, "");
+                }
+            }
+            Ok(())
+        }
+        Some(_) if !grains.periodic.is_empty() => {
+            rules.refuse(key, "only a box mesh can wrap", "[] or fluid.mesh.box", "delete it")
+        }
+        None if !grains.periodic.is_empty() => {
+            rules.required("grains.domain", "grains.periodic needs it: it says where the axes wrap")
+        }
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::document::fixture::{CARRIED, DRY, SETTLING, assert_refusals};
+
+    #[test]
+    fn the_stiffness_has_one_source() {
+        assert_refusals(
+            DRY,
+            &[
+                (
+                    "\"hooke\"",
+                    "\"hertz\"",
+                    "case.toml:24: grains.characteristic-velocity: has no effect with normal-law = \"hertz\"; delete it",
+                ),
+                (
+                    "\"hooke\"",
+                    "\"herz\"",
+                    "case.toml:23: grains.normal-law: unknown law \"herz\"; allowed: hooke, hertz, none; did you mean \"hertz\"?",
+                ),
+                (
+                    "characteristic-velocity = \"1 m/s\"",
+                    "",
+                    "case.toml:22: grains.characteristic-velocity: missing; the stiffness of \"hooke\" is found from it, for example \"1 m/s\"",
+                ),
+                (
+                    "characteristic-velocity = \"1 m/s\"",
+                    "characteristic-velocity = \"0 m/s\"",
+                    "case.toml:24: grains.characteristic-velocity: found 0 m/s; allowed: more than 0 m/s",
+                ),
+            ],
+        );
+        assert_refusals(
+            CARRIED,
+            &[(
+                "[[insertion]]",
+                "characteristic-velocity = \"1 m/s\"\n[[insertion]]",
+                "case.toml:12: grains.characteristic-velocity: has no effect with normal-law = \"none\"; delete it",
+            )],
+        );
+    }
+
+    #[test]
+    fn grains_wrap_where_the_mesh_wraps() {
+        assert_refusals(
+            DRY,
+            &[
+                (
+                    r#"upper = ["1 m", "1 m"] }"#,
+                    r#"upper = ["1 m", "-1 m"] }"#,
+                    "case.toml:25: grains.domain.upper[1]: found -1 m; allowed: more than lower, 0 m",
+                ),
+                (
+                    "periodic = [\"x\"]",
+                    "periodic = [\"z\"]",
+                    "case.toml:26: grains.periodic[0]: found z in 2D; allowed: x, y",
+                ),
+                (
+                    "periodic = [\"x\"]",
+                    "periodic = [\"x\", \"y\"]\nescape = \"stop\"",
+                    "case.toml:27: grains.escape: has no effect where all axes are periodic; delete it",
+                ),
+            ],
+        );
+        let domain = |upper: &str| {
+            format!("domain = {{ lower = [\"-1 m\", \"-1 m\", \"0 m\"], upper = [{upper}] }}\n")
+        };
+        let periodic = "periodic = [\"x\"]\n[[insertion]]";
+        assert_refusals(
+            SETTLING,
+            &[(
+                "[[insertion]]",
+                periodic,
+                "case.toml:17: grains.periodic: grains wrap in [x], the mesh in []; allowed: the same axes in grains.periodic and fluid.mesh.box.periodic",
+            )],
+        );
+        let wrapping = SETTLING
+            .replace("[[insertion]]", &format!("{}{periodic}", domain("\"1 m\", \"1 m\", \"2 m\"")))
+            .replace("cells =", "periodic = [\"x\"], cells =")
+            .replace("\"x-min\", \"x-max\", ", "");
+        assert_refusals(
+            &wrapping,
+            &[(
+                &domain("\"1 m\", \"1 m\", \"2 m\""),
+                &domain("\"2 m\", \"1 m\", \"2 m\""),
+                "case.toml:17: grains.domain: goes from -1 m to 2 m on the periodic axis x; allowed: -1 m to 1 m, as the mesh",
+            )],
+        );
+        assert_refusals(
+            CARRIED,
+            &[(
+                "[[insertion]]",
+                periodic,
+                "case.toml:10: grains.domain: missing; grains.periodic needs it: it says where the axes wrap",
+            )],
+        );
+    }
+}

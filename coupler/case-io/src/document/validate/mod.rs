@@ -1,0 +1,32 @@
+//! What must hold beyond the form: all that can be checked without the mesh and without the solvers.
+
+mod coupling;
+mod fluid;
+mod general;
+mod grains;
+mod insertion;
+mod material;
+mod mesh;
+mod probe;
+mod rules;
+mod wall;
+
+use super::Document;
+use crate::error::CaseError;
+use crate::tree::Source;
+use rules::Rules;
+
+pub(super) use rules::check_name;
+
+/// Refuses the first thing that cannot be, or that would have no effect.
+pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseError> {
+    let rules = &Rules { source, dimension: document.case.dimension };
+    general::check(document, rules)?;
+    insertion::check(document, rules)?;
+    wall::check(document, rules)?;
+    material::check(document, rules)?;
+    fluid::check(document, rules)?;
+    grains::check(document, rules)?;
+    coupling::check(document, rules)?;
+    probe::check(document, rules)
+}

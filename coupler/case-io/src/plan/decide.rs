@@ -1,0 +1,318 @@
+//! Whether a part is on, and what in the case says so.
+
+use super::Part;
+use crate::document::{
+    Acceleration, Backend, BoundaryVelocity, Coupling, Document, Drag, Escape, Fluid, Grains, Insertion,
+    NormalLaw, Pair, Placement, Scheme, WallShape,
+};
+
+type Decision = (bool, String);
+
+pub(super) fn decide(part: Part, document: &Document) -> Decision {
+    match part {
+        Part::Grains
+        | Part::Contacts
+        | Part::ContactDamping
+        | Part::Friction
+        | Part::TangentialHistory
+        | Part::Rotation
+        | Part::PlaneWalls
+        | Part::TriangleWalls
+        | Part::PeriodicWrap
+        | Part::InsertionOverTime
+        | Part::FrozenGrains
+        | Part::RemovalOfEscaped
+        | Part::CriticalSubstep => match &document.grains {
+            Some(grains) => of_grains(part, document, grains),
+            None => off("there is no [grains]"),
+        },
+        Part::Fluid
+        | Part::FlowSolution
+        | Part::Convection
+        | Part::FluidGravity
+        | Part::BodyForce
+        | Part::BoundaryExpressions
+        | Part::Probes => match &document.fluid {
+            Some(fluid) => of_fluid(part, document, fluid),
+            None => off("there is no [fluid]"),
+        },
+        Part::Coupling
+        | Part::TwoWay
+        | Part::VoidFraction
+        | Part::Drag
+        | Part::SelfDisturbance
+        | Part::AddedMass
+        | Part::PressureGradientForce
+        | Part::ViscousStressForce
+        | Part::ImplicitIterations
+        | Part::Acceleration => match &document.coupling {
+            Some(coupling) => of_coupling(part, coupling),
+            None => off("there is no [coupling]"),
+        },
+        Part::Frames => interval("frames", document.output.frames(document.time.end)),
+        Part::RestartPoints => interval("restart", document.output.restart(document.time.end)),
+    }
+}
+
+fn on(why: impl Into<String>) -> Decision {
+    (true, why.into())
+}
+
+fn off(why: impl Into<String>) -> Decision {
+    (false, why.into())
+}
+
+/// On because of these names, off if there are none.
+fn named<'a>(what: &str, names: impl Iterator<Item = &'a str>) -> Decision {
+    let names: Vec<&str> = names.collect();
+    if names.is_empty() { off(format!("no {what}")) } else { on(format!("{what}: {}", names.join(", "))) }
+}
+
+/// The word by which the case names a choice.
+fn word(choice: impl serde::Serialize) -> String {
+    serde_json::to_string(&choice).unwrap_or_default()
+}
+
+fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
+    let insertions = |is: fn(&Insertion) -> bool| {
+        document
+            .insertion
+            .iter()
+            .filter(move |insertion| is(insertion))
+            .map(|insertion| insertion.name.as_str())
+    };
+    // A loaded document has a pair for every contact that is possible, and no other.
+    let pairs = |is: fn(&Pair) -> bool| {
+        document.pairs.iter().filter(move |(_, pair)| is(pair)).map(|(name, _)| name.as_str())
+    };
+    let walls = |is: fn(WallShape) -> bool| {
+        document.wall.iter().filter(move |wall| wall.shape().is_some_and(is)).map(|wall| wall.name.as_str())
+    };
+    match part {
+        Part::Contacts if grains.normal_law == NormalLaw::None => off("normal-law = \"none\""),
+        Part::Contacts if document.pairs.is_empty() => off("a lone grain without walls"),
+        Part::Contacts => on(format!("normal-law = {}", word(grains.normal_law))),
+        Part::ContactDamping => named("pair with restitution below 1", pairs(|pair| pair.restitution < 1.0)),
+        Part::Friction | Part::TangentialHistory | Part::Rotation => {
+            named("pair with sliding-friction", pairs(|pair| pair.sliding_friction > 0.0))
+        }
+        Part::PlaneWalls => named("wall with plane", walls(|shape| matches!(shape, WallShape::Plane(_)))),
+        Part::TriangleWalls => {
+            named("wall with stl or mesh", walls(|shape| !matches!(shape, WallShape::Plane(_))))
+        }
+        Part::PeriodicWrap => {
+            let axes: Vec<String> = grains.periodic.iter().map(word).collect();
+            named("periodic axis", axes.iter().map(|axis| axis.trim_matches('"')))
+        }
+        Part::InsertionOverTime => {
+            named("insertion with rate", insertions(|i| matches!(i.placement(), Some(Placement::Rate(_)))))
+        }
+        Part::FrozenGrains => named("frozen insertion", insertions(|i| i.frozen)),
+        Part::RemovalOfEscaped => {
+            (grains.escape == Escape::Remove, format!("escape = {}", word(grains.escape)))
+        }
+        Part::CriticalSubstep => match document.time.substep {
+            Some(substep) => off(format!("substep = \"{substep}\"")),
+            None => on(format!("substep-safety = {}", document.time.substep_safety)),
+        },
+        _ => on(format!("[grains], {} [[insertion]]", document.insertion.len())),
+    }
+}
+
+fn of_fluid(part: Part, document: &Document, fluid: &Fluid) -> Decision {
+    let backend = format!("backend = {}", word(fluid.backend));
+    let solved = fluid.backend != Backend::Imposed;
+    match part {
+        Part::FluidGravity if solved => match document.case.gravity.to_array() == [0.0; 3] {
+            true => off("gravity is 0"),
+            false => on("gravity is not 0"),
+        },
+        Part::BodyForce if solved => match &fluid.body_force {
+            Some(force) if force.to_array() != [0.0; 3] => on("body-force is not 0"),
+            Some(_) => off("body-force is 0"),
+            None => off("no body-force"),
+        },
+        Part::BoundaryExpressions => named(
+            "boundary with expressions",
+            fluid
+                .boundary
+                .iter()
+                .filter(|boundary| matches!(boundary.velocity, Some(BoundaryVelocity::Expression(_))))
+                .flat_map(|boundary| boundary.on.iter().map(String::as_str)),
+        ),
+        Part::Probes => named("probe", document.probe.iter().map(|probe| probe.name.as_str())),
+        Part::Fluid => on(backend),
+        _ => (solved, backend),
+    }
+}
+
+fn of_coupling(part: Part, coupling: &Coupling) -> Decision {
+    let scheme = format!("scheme = {}", word(coupling.scheme));
+    let drag = format!("drag = {}", word(coupling.drag));
+    let pushed = coupling.scheme != Scheme::OneWay;
+    let iterated = coupling.scheme == Scheme::SerialImplicit;
+    match part {
+        Part::TwoWay | Part::VoidFraction => (pushed, scheme),
+        Part::Drag => (coupling.drag != Drag::None, drag),
+        Part::SelfDisturbance if coupling.drag == Drag::None => off(drag),
+        Part::SelfDisturbance if !pushed => off(scheme),
+        Part::SelfDisturbance => {
+            (coupling.self_disturbance, format!("self-disturbance = {}", coupling.self_disturbance))
+        }
+        Part::AddedMass => (coupling.added_mass > 0.0, format!("added-mass = {}", coupling.added_mass)),
+        Part::PressureGradientForce => (
+            coupling.pressure_gradient_force,
+            format!("pressure-gradient-force = {}", coupling.pressure_gradient_force),
+        ),
+        Part::ViscousStressForce => (
+            coupling.viscous_stress_force,
+            format!("viscous-stress-force = {}", coupling.viscous_stress_force),
+        ),
+        Part::ImplicitIterations if iterated => on(format!("{scheme}, at most {}", coupling.max_iterations)),
+        Part::ImplicitIterations => off(scheme),
+        Part::Acceleration if iterated => (
+            coupling.acceleration != Acceleration::None,
+            format!("acceleration = {}", word(coupling.acceleration)),
+        ),
+        Part::Acceleration => off(scheme),
+        _ => on(scheme),
+    }
+}
+
+fn interval(key: &str, interval: Option<f64>) -> Decision {
+    interval.map_or_else(|| off(format!("{key} = \"none\"")), |seconds| on(format!("every {seconds} s")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Part, Plan};
+    use crate::document::fixture::{CARRIED, CHANNEL, DRY, SETTLING, document};
+
+    fn on(text: &str) -> Vec<Part> {
+        Plan::of(&document(text)).items().iter().filter(|item| item.on).map(|item| item.what).collect()
+    }
+
+    #[test]
+    fn a_case_pays_for_what_it_uses() {
+        use Part::*;
+        assert_eq!(
+            on(CARRIED),
+            [
+                Grains,
+                CriticalSubstep,
+                Fluid,
+                Coupling,
+                Drag,
+                PressureGradientForce,
+                ViscousStressForce,
+                Frames,
+                RestartPoints
+            ]
+        );
+        assert_eq!(
+            on(DRY),
+            [
+                Grains,
+                Contacts,
+                ContactDamping,
+                Friction,
+                TangentialHistory,
+                Rotation,
+                PlaneWalls,
+                PeriodicWrap,
+                CriticalSubstep,
+                Frames,
+                RestartPoints
+            ]
+        );
+        assert_eq!(on(CHANNEL), [Fluid, FlowSolution, Convection, Frames, RestartPoints]);
+        let without = [
+            TriangleWalls,
+            PeriodicWrap,
+            InsertionOverTime,
+            FrozenGrains,
+            RemovalOfEscaped,
+            BodyForce,
+            BoundaryExpressions,
+            AddedMass,
+        ];
+        assert_eq!(
+            on(SETTLING),
+            Part::ALL.iter().copied().filter(|part| !without.contains(part)).collect::<Vec<_>>()
+        );
+    }
+
+    #[test]
+    fn each_key_switches_its_part() {
+        let grid = "[[insertion]]\nname = \"grid\"\nmaterial = \"glass\"\ndiameter = \"1 mm\"\nfrozen = true\n\
+                    at = [[\"1 m\", \"0 m\", \"1 m\"]]\n";
+        let region = r#"lower = ["0 m", "0 m", "0 m"], upper = ["1 m", "1 m", "1 m"]"#;
+        let random = (
+            format!("random-box = {{ {region}, count = 10 }}"),
+            format!("rate = {{ {region}, number-rate = \"1 1/s\" }}"),
+        );
+        for (base, from, to, part) in [
+            (SETTLING, "drag = \"di-felice\"", "drag = \"none\"", Part::Drag),
+            (SETTLING, "drag = \"di-felice\"", "drag = \"none\"", Part::SelfDisturbance),
+            (SETTLING, "drag =", "self-disturbance = false\ndrag =", Part::SelfDisturbance),
+            (SETTLING, "drag =", "added-mass = 0.5\ndrag =", Part::AddedMass),
+            (SETTLING, "drag =", "pressure-gradient-force = false\ndrag =", Part::PressureGradientForce),
+            (SETTLING, "drag =", "viscous-stress-force = false\ndrag =", Part::ViscousStressForce),
+            (SETTLING, "drag =", "acceleration = \"none\"\ndrag =", Part::Acceleration),
+            (SETTLING, "serial-implicit", "serial-explicit", Part::ImplicitIterations),
+            (SETTLING, "serial-implicit", "one-way", Part::TwoWay),
+            (SETTLING, "serial-implicit", "one-way", Part::VoidFraction),
+            (SETTLING, "\"-9.81 m/s^2\"", "\"0 m/s^2\"", Part::FluidGravity),
+            (SETTLING, "[[insertion]]", &format!("{grid}[[insertion]]"), Part::FrozenGrains),
+            (SETTLING, "[[insertion]]", "escape = \"remove\"\n[[insertion]]", Part::RemovalOfEscaped),
+            (SETTLING, "window =", "substep = \"1 us\"\nwindow =", Part::CriticalSubstep),
+            (SETTLING, "[grains]", "[output]\nframes = \"none\"\n[grains]", Part::Frames),
+            (SETTLING, "[grains]", "[output]\nrestart = \"none\"\n[grains]", Part::RestartPoints),
+            (SETTLING, "sliding-friction = 0.3", "sliding-friction = 0", Part::Friction),
+            (SETTLING, "sliding-friction = 0.3", "sliding-friction = 0", Part::Rotation),
+            (SETTLING, "restitution = 0.9", "restitution = 1", Part::ContactDamping),
+            (SETTLING, "plane = {", "mesh = { boundary = [\"z-min\"] } #", Part::TriangleWalls),
+            (SETTLING, "plane = {", "mesh = { boundary = [\"z-min\"] } #", Part::PlaneWalls),
+            (CHANNEL, "density", "body-force = [\"1 m/s^2\", \"0 m/s^2\"]\ndensity", Part::BodyForce),
+            (
+                CHANNEL,
+                "speed = \"0.2 m/s\"\nprofile = \"parabolic\"",
+                "velocity = { expression = [\"y\", \"0\"] }",
+                Part::BoundaryExpressions,
+            ),
+            (CARRIED, &random.0, &random.1, Part::InsertionOverTime),
+        ] {
+            let changed = base.replacen(from, to, 1);
+            assert_ne!(
+                Plan::of(&document(base)).is_on(part),
+                Plan::of(&document(&changed)).is_on(part),
+                "{to} does not switch {}",
+                part.name()
+            );
+        }
+    }
+
+    #[test]
+    fn the_hash_follows_what_is_on() {
+        let hash = |text: &str| Plan::of(&document(text)).hash();
+        assert_eq!(hash(SETTLING), hash(&SETTLING.replace("\"2 s\"", "\"3 s\"")));
+        assert_ne!(hash(SETTLING), hash(&SETTLING.replace("sliding-friction = 0.3", "sliding-friction = 0")));
+    }
+
+    #[test]
+    fn the_table_says_why() {
+        let table = Plan::of(&document(DRY)).to_string();
+        assert_eq!(table.lines().count(), Part::ALL.len());
+        for line in [
+            "contacts                        on   normal-law = \"hooke\"",
+            "friction                        on   pair with sliding-friction: glass-glass, steel-glass",
+            "triangle walls                  off  no wall with stl or mesh",
+            "periodic wrap                   on   periodic axis: x",
+            "fluid                           off  there is no [fluid]",
+            "drag                            off  there is no [coupling]",
+            "restart points                  on   every 0.25 s",
+        ] {
+            assert!(table.lines().any(|found| found == line), "{line}\n{table}");
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! `coupler clean`: sweeps what this user's dead runs left in shared memory.
+
+use super::say;
+use crate::error::CouplerError;
+use case_io::exit_code::ExitCode;
+use interface::run::sweep;
+
+pub(super) fn clean() -> Result<ExitCode, CouplerError> {
+    let swept = sweep();
+    match swept.len() {
+        0 => say("nothing to sweep"),
+        count => say(&format!("swept {count} dead runs")),
+    }
+    Ok(ExitCode::Done)
+}
