@@ -1,1 +1,5 @@
-fn main() {}
+//! The executable `dem-solver`.
+
+fn main() -> std::process::ExitCode {
+    dem_solver::program::main()
+}

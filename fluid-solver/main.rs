@@ -1,1 +1,5 @@
-fn main() {}
+//! The executable `fluid-solver`.
+
+fn main() -> std::process::ExitCode {
+    fluid_solver::program::main()
+}

@@ -133,7 +133,7 @@ impl Clock {
         self.window += 1;
         Outputs {
             series: self.series.take(time, self.end),
-            frame: self.frames.take(time, self.end).then(|| self.frames.count),
+            frame: self.frames.take(time, self.end).then_some(self.frames.count),
             restart: self.restart.take(time, self.end),
         }
     }

@@ -47,8 +47,7 @@ impl Ledger {
         let residuals = residuals(outcome, owed);
         for (index, residual) in residuals.into_iter().enumerate() {
             self.maxima[index] = self.maxima[index].max(residual);
-            // Written so that NaN fails.
-            if !(residual <= self.allowed(index)) {
+            if residual.is_nan() || residual > self.allowed(index) {
                 return Err(CouplerError::Ledger {
                     row: ROWS[index],
                     window: window.number,

@@ -12,7 +12,7 @@ use case_io::plan::Plan;
 use case_io::summary::{Exit, Seconds, Summary};
 use interface::InterfaceError;
 use interface::assignment::Assignment;
-use interface::message::Usage;
+use interface::message::{Ready, Usage};
 use interface::participant::Hold;
 use interface::run::{RunId, Who, sweep};
 use interface::transport::{Deadlines, shared_memory};
@@ -209,22 +209,15 @@ fn survey_into(case: &Case, request: &Request, out: &Path) -> Result<Vec<String>
     make_folders(out)?;
     let (mut session, mut children) = launch(case, request, out, None)?;
     let plan = Plan::of(&case.document).hash();
-    let mut notes = Vec::new();
-    let mut result = Ok(());
-    for who in session.members() {
-        match session.hello(who, &case.hash, &plan) {
-            Ok(ready) => notes.extend(ready.notes.into_iter().map(|note| format!("{who}: {note}"))),
-            Err(error) => {
-                result = Err(explain_death(error, &mut children));
-                break;
-            }
-        }
-    }
+    let result = session.greet(&case.hash, &plan).map_err(|error| explain_death(error, &mut children));
     for child in &mut children {
         end(&mut session, child, "checked", result.as_ref().err(), &mut Story::default());
     }
     drop(children);
-    result.map(|()| notes)
+    let notes = |(who, ready): (Who, Ready)| -> Vec<String> {
+        ready.notes.iter().map(|note| format!("{who}: {note}")).collect()
+    };
+    Ok(result?.into_iter().flat_map(notes).collect())
 }
 
 /// Starts what the case needs and waits until all have joined.

@@ -4,7 +4,7 @@ use crate::error::CouplerError;
 use interface::frames::{GrainRow, HydroRow, PROTOCOL, ReactionRow};
 use interface::ledger::{FluidLedger, GrainLedger};
 use interface::message::{
-    Books, Command, Commit, Committed, Hello, Norms, Opened, Ready, Report, Solved, Usage, Window,
+    Books, Command, Commit, Committed, Hello, Norms, Opened, Ready, Report, Solved, Surface, Usage, Window,
 };
 use interface::run::Who;
 use interface::transport::{CommandSender, CouplerEnds, FrameView, Stamp};
@@ -39,6 +39,21 @@ impl Session {
         all.into_iter().filter(|(_, takes_part)| *takes_part).map(|(who, _)| who).collect()
     }
 
+    /// Greets all participants: the fluid first, whose surface the grains may have for walls.
+    ///
+    /// # Errors
+    /// As [`Session::hello`].
+    pub fn greet(&mut self, case_hash: &str, plan_hash: &str) -> Result<Vec<(Who, Ready)>, CouplerError> {
+        let mut surface = None;
+        let mut answers = Vec::new();
+        for who in self.members().into_iter().rev() {
+            let mut ready = self.hello(who, (case_hash, plan_hash), surface.take())?;
+            surface = ready.surface.take();
+            answers.push((who, ready));
+        }
+        Ok(answers)
+    }
+
     fn wire(&mut self, who: Who) -> &mut CommandSender {
         match who {
             Who::Dem => &mut self.ends.dem,
@@ -60,13 +75,19 @@ impl Session {
     ///
     /// # Errors
     /// A difference of versions, cases or plans; the participant's own trouble with the case.
-    pub fn hello(&mut self, who: Who, case_hash: &str, plan_hash: &str) -> Result<Ready, CouplerError> {
+    fn hello(
+        &mut self,
+        who: Who,
+        (case_hash, plan_hash): (&str, &str),
+        surface: Option<Surface>,
+    ) -> Result<Ready, CouplerError> {
         let version = env!("CARGO_PKG_VERSION").to_string();
         let command = Command::Hello(Hello {
             protocol: PROTOCOL,
             version,
             case_hash: case_hash.into(),
             plan_hash: plan_hash.into(),
+            surface,
         });
         match self.ask(who, &command)? {
             Report::Ready(ready) => Ok(ready),

@@ -95,8 +95,7 @@ impl Simulation {
     }
 
     fn greet(&mut self, case_hash: &str, plan_hash: &str) -> Result<(), CouplerError> {
-        for who in self.session.members() {
-            let ready = self.session.hello(who, case_hash, plan_hash)?;
+        for (who, ready) in self.session.greet(case_hash, plan_hash)? {
             self.note_size(who, ready.size, ready.largest_step);
         }
         Ok(())

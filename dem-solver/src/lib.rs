@@ -1,1 +1,44 @@
 //! Grains: contact, walls, insertion and explicit time integration; knows no mesh and no drag law.
+
+mod checkpoint;
+pub mod contact;
+mod couple;
+mod critical_time_step;
+mod domain;
+mod error;
+mod fault;
+mod grains;
+pub mod insertion;
+mod integrate;
+mod ledger;
+mod material;
+pub mod program;
+mod record;
+mod relaxation;
+mod scene;
+mod search;
+mod setup;
+mod step;
+mod turnover;
+mod vector;
+pub mod wall;
+mod window;
+mod workspace;
+mod world;
+
+pub use couple::DemParticipant;
+pub use critical_time_step::{Binding, CriticalStep, MOST_SUBSTEPS, Substep, critical_time_step, substeps};
+pub use domain::{Domain, Image};
+pub use error::DemError;
+pub use fault::Fault;
+pub use grains::{Grain, Grains, Motion, Place, inertia, volume};
+pub use ledger::{Ledger, momentum};
+pub use material::{Material, Materials, PairMaterial};
+pub use scene::{Escape, Scene};
+pub use setup::{FluidMesh, Setup, set_up};
+pub use step::step;
+pub use turnover::{Turnover, turn_over};
+pub use vector::{Spin, Vector};
+pub use window::window;
+pub use workspace::{Impulse, Workspace};
+pub use world::{Saved, World};

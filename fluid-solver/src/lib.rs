@@ -1,1 +1,17 @@
 //! Fluid: meshes, stabilised finite elements, void fraction, sampling and deposition; knows no contact.
+
+pub mod backend;
+pub mod boundary;
+mod couple;
+pub mod deposit;
+pub mod element;
+mod error;
+pub mod mesh;
+pub mod program;
+mod record;
+pub mod sample;
+pub mod void_fraction;
+pub mod weak_form;
+
+pub use couple::FluidParticipant;
+pub use error::FluidError;

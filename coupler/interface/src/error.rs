@@ -1,5 +1,6 @@
 //! What can go wrong between the programs.
 
+use crate::message::Failure;
 use crate::run::Who;
 use thiserror::Error;
 
@@ -144,5 +145,11 @@ impl InterfaceError {
             InterfaceError::Participant { exit_code, .. } => *exit_code,
             _ => 1,
         }
+    }
+}
+
+impl From<InterfaceError> for Failure {
+    fn from(error: InterfaceError) -> Failure {
+        Failure { exit_code: error.exit_code(), message: error.to_string() }
     }
 }

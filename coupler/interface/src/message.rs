@@ -3,6 +3,7 @@
 use crate::error::InterfaceError;
 use crate::ledger::{FluidLedger, GrainLedger};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// What the coupler tells a participant.
@@ -39,6 +40,19 @@ pub struct Hello {
     pub case_hash: String,
     /// Hash of the plan.
     pub plan_hash: String,
+    /// The surface of the fluid's mesh, for a DEM whose walls or domain are the fluid's.
+    pub surface: Option<Surface>,
+}
+
+/// The surface of a mesh: what grains may touch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Surface {
+    /// Smallest coordinates \[m\].
+    pub lower: [f64; 3],
+    /// Largest coordinates \[m\].
+    pub upper: [f64; 3],
+    /// Facets by the name of their boundary: the vertices of triangles, in 2D of segments (the third one repeats).
+    pub facets: BTreeMap<String, Vec<[[f64; 3]; 3]>>,
 }
 
 /// A time window t → t + Δt.
@@ -92,6 +106,8 @@ pub enum Report {
 /// A participant at the start of the run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ready {
+    /// The surface of the fluid's mesh, if it has one.
+    pub surface: Option<Surface>,
     /// Grains (DEM) or nodes (fluid).
     pub size: u64,
     /// Largest Δt this side allows \[s\].

@@ -46,17 +46,19 @@ pub struct Hold {
     pub marker: std::path::PathBuf,
 }
 
-/// Serves commands until `stop`, a failure or the loss of the coupler.
+/// Serves commands until `stop`, a failure or the loss of the coupler. The participant is set up when it is greeted.
 ///
 /// # Errors
 /// The participant's own failure as [`InterfaceError::Participant`] after it was reported; a dead or frozen
 /// coupler; an illegal message.
 pub fn serve<P: Participant>(
-    participant: &mut P,
     control: &mut CommandReceiver,
     hold: Option<&Hold>,
+    set_up: impl FnOnce(&Hello) -> Result<P, Failure>,
 ) -> Result<(), InterfaceError> {
     let mut state = State::Launched;
+    let mut set_up = Some(set_up);
+    let mut participant = None;
     let mut window = 0;
     while state != State::Ended {
         let command = control.wait()?;
@@ -66,12 +68,18 @@ pub fn serve<P: Participant>(
         if let Some(hold) = hold.filter(|hold| hold.window == window && hold.command == command.name()) {
             control.hold(hold)?;
         }
-        let report = match state.check(&command) {
-            Ok(()) => answer(participant, &command).unwrap_or_else(Report::Failed),
-            Err(error) => {
-                Report::Failed(Failure { exit_code: error.exit_code(), message: error.to_string() })
+        let mut respond = || {
+            state.check(&command)?;
+            if let (Command::Hello(hello), Some(set_up)) = (&command, set_up.take()) {
+                participant = Some(set_up(hello)?);
+            }
+            match &mut participant {
+                Some(participant) => answer(participant, &command),
+                // Stopped before it was greeted.
+                None => Ok(Report::Ended(Usage::default())),
             }
         };
+        let report = respond().unwrap_or_else(Report::Failed);
         control.answer(&report)?;
         state = state.after(&report);
         if let Report::Failed(Failure { exit_code, message }) = report {
@@ -81,22 +89,14 @@ pub fn serve<P: Participant>(
     Ok(())
 }
 
-/// Answers the first command with the reason why this side cannot take part.
-///
-/// # Errors
-/// The failure itself once it is told; a dead or frozen coupler.
-pub fn refuse(control: &mut CommandReceiver, failure: Failure) -> Result<(), InterfaceError> {
-    control.wait()?;
-    control.answer(&Report::Failed(failure.clone()))?;
-    Err(InterfaceError::Participant { exit_code: failure.exit_code, message: failure.message })
+fn greet<P: Participant>(participant: &mut P, hello: &Hello) -> Result<Report, Failure> {
+    refuse_difference(hello, participant.identity())?;
+    Ok(Report::Ready(participant.ready()?))
 }
 
 fn answer<P: Participant>(participant: &mut P, command: &Command) -> Result<Report, Failure> {
     Ok(match command {
-        Command::Hello(hello) => {
-            refuse_difference(hello, participant.identity())?;
-            Report::Ready(participant.ready()?)
-        }
+        Command::Hello(hello) => greet(participant, hello)?,
         Command::Open(window) => match participant.open(*window)? {
             Opening::Opened(opened) => Report::Opened(opened),
             Opening::TooLarge(bound) => Report::TooLarge { bound },
@@ -120,8 +120,7 @@ fn refuse_difference(hello: &Hello, (case_hash, plan_hash): (String, String)) ->
     ];
     for (field, own, theirs) in pairs {
         if own != theirs {
-            let error = InterfaceError::Difference { field, own, theirs };
-            return Err(Failure { exit_code: error.exit_code(), message: error.to_string() });
+            return Err(InterfaceError::Difference { field, own, theirs }.into());
         }
     }
     Ok(())

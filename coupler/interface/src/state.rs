@@ -81,7 +81,7 @@ mod tests {
 
     fn commands() -> Vec<Command> {
         let hello =
-            Hello { protocol: 1, version: String::new(), case_hash: String::new(), plan_hash: String::new() };
+            Hello { protocol: 1, version: String::new(), case_hash: String::new(), plan_hash: String::new(), surface: None };
         vec![
             Command::Hello(hello),
             Command::Open(Window { number: 0, time: 0.0, step: 1.0, grains_changed: false }),

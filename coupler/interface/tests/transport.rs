@@ -25,7 +25,7 @@ impl Participant for Follower {
         ("7".into(), "8".into())
     }
     fn ready(&mut self) -> Result<Ready, Failure> {
-        Ok(Ready { size: self.position.len() as u64, largest_step: 1.0, time: 0.0, notes: Vec::new() })
+        Ok(Ready { size: self.position.len() as u64, largest_step: 1.0, time: 0.0, notes: Vec::new(), surface: None })
     }
     fn open(&mut self, window: Window) -> Result<Opening, Failure> {
         if window.step > 1.0 {
@@ -36,8 +36,7 @@ impl Participant for Follower {
         Ok(Opening::Opened(Opened { rows: self.position.len() as u64, grains_changed: false }))
     }
     fn advance(&mut self, iteration: u32) -> Result<Solved, Failure> {
-        let failed = |error: InterfaceError| Failure { exit_code: 1, message: error.to_string() };
-        let hydro = self.hydro.of(self.window.number, iteration).map_err(failed)?;
+        let hydro = self.hydro.of(self.window.number, iteration)?;
         for (position, row) in self.position.iter_mut().zip(hydro.iter()) {
             *position += self.window.step * row.fluid_velocity[0];
         }
@@ -47,8 +46,8 @@ impl Participant for Follower {
             position: [self.position[i], 0.0, 0.0],
             ..Default::default()
         };
-        self.ends_grains.write(stamp, self.position.len(), grain).map_err(failed)?;
-        self.impulse.write(stamp, self.position.len(), |_| ImpulseRow::default()).map_err(failed)?;
+        self.ends_grains.write(stamp, self.position.len(), grain)?;
+        self.impulse.write(stamp, self.position.len(), |_| ImpulseRow::default())?;
         Ok(Solved { books: Books::Grains(GrainLedger::default()), largest_step: 1.0, work: 1 })
     }
     fn restore(&mut self) -> Result<(), Failure> {
@@ -65,7 +64,7 @@ impl Participant for Follower {
 
 fn follow(ends: DemEnds, grains: usize) -> Result<(), InterfaceError> {
     let mut control = ends.control;
-    let mut follower = Follower {
+    let follower = Follower {
         ends_grains: ends.grains,
         impulse: ends.impulse,
         hydro: ends.hydro,
@@ -73,7 +72,7 @@ fn follow(ends: DemEnds, grains: usize) -> Result<(), InterfaceError> {
         saved: Vec::new(),
         window: Window { number: 0, time: 0.0, step: 0.0, grains_changed: false },
     };
-    serve(&mut follower, &mut control, None)
+    serve(&mut control, None, |_| Ok(follower))
 }
 
 fn hello() -> Command {
@@ -82,6 +81,7 @@ fn hello() -> Command {
         version: env!("CARGO_PKG_VERSION").into(),
         case_hash: "7".into(),
         plan_hash: "8".into(),
+        surface: None,
     })
 }
 

@@ -12,6 +12,8 @@ pub mod generate;
 pub mod gmsh;
 pub mod locate;
 mod periodicity;
+mod scale;
+mod surface;
 mod topology;
 
 pub use build::{MeshParts, PeriodicPairs};

@@ -1,5 +1,9 @@
 //! Claims about the Eulerian backend.
 
+mod bits;
+mod coupling;
 mod exact_flows;
 mod hydrostatics;
+mod inlets;
+mod manufactured;
 mod support;

@@ -1,0 +1,110 @@
+//! Which places are taken.
+
+use crate::domain::Domain;
+use crate::grains::Place;
+use crate::scene::Scene;
+use crate::vector::Vector;
+
+/// No more cells than this.
+const MOST_CELLS: f64 = 1e7;
+
+const NONE: u32 = u32::MAX;
+
+/// Grains in and near a box, by cell.
+#[derive(Clone, Debug)]
+pub struct Occupancy<'a, const D: usize> {
+    scene: &'a Scene<D>,
+    lower: Vector<D>,
+    width: f64,
+    counts: [usize; D],
+    first: Vec<u32>,
+    next: Vec<u32>,
+    places: Vec<Place<D>>,
+}
+
+impl<'a, const D: usize> Occupancy<'a, D> {
+    /// The grains of `present` that reach into the box, for newcomers of at most this radius \[m\].
+    pub fn new(
+        scene: &'a Scene<D>,
+        lower: Vector<D>,
+        upper: Vector<D>,
+        present: &[Place<D>],
+        radius: f64,
+    ) -> Self {
+        let largest = present.iter().map(|place| place.radius).fold(radius, f64::max);
+        let extent: Vector<D> = upper - lower;
+        let number =
+            |width: f64| -> f64 { extent.iter().map(|length| (length / width).ceil().max(1.0)).product() };
+        let mut width = 2.0 * largest;
+        while number(width) > MOST_CELLS {
+            width *= 1.25;
+        }
+        let counts: [usize; D] = std::array::from_fn(|axis| ((extent[axis] / width).ceil() as usize).max(1));
+        let first = vec![NONE; counts.iter().product()];
+        let mut occupancy = Self { scene, lower, width, counts, first, next: vec![], places: vec![] };
+        for place in present {
+            occupancy.take(*place);
+        }
+        occupancy
+    }
+
+    /// Takes the place if no grain and no wall overlaps it.
+    pub fn take_if_free(&mut self, place: Place<D>) -> bool {
+        let free = self.is_free_of_grains(&place) && self.is_free_of_walls(&place);
+        if free {
+            self.take(place);
+        }
+        free
+    }
+
+    fn is_free_of_grains(&self, place: &Place<D>) -> bool {
+        let Domain { periodic, .. } = self.scene.domain;
+        let images = if periodic.contains(&true) { self.scene.shifts.as_slice() } else { &[Vector::zeros()] };
+        images.iter().all(|shift| {
+            let centre = place.centre + shift;
+            let home = self.coordinates(&centre);
+            (0..3_usize.pow(D as u32)).all(|code| {
+                let at: [usize; D] =
+                    std::array::from_fn(|axis| home[axis] + (code / 3_usize.pow(axis as u32)) % 3);
+                if (0..D).any(|axis| at[axis] == 0 || at[axis] > self.counts[axis]) {
+                    return true;
+                }
+                let mut entry = self.first[self.index(&at.map(|a| a - 1))];
+                while entry != NONE {
+                    let other = &self.places[entry as usize];
+                    if (other.centre - centre).norm_squared() < (other.radius + place.radius).powi(2) {
+                        return false;
+                    }
+                    entry = self.next[entry as usize];
+                }
+                true
+            })
+        })
+    }
+
+    fn is_free_of_walls(&self, place: &Place<D>) -> bool {
+        let mut near = Vec::new();
+        self.scene.walls.planes_near(&place.centre, place.radius, &mut near);
+        self.scene.walls.facets_near(&place.centre, place.radius, &mut near);
+        near.is_empty()
+    }
+
+    fn take(&mut self, place: Place<D>) {
+        let cell = self.index(&self.coordinates(&place.centre));
+        self.next.push(self.first[cell]);
+        self.first[cell] = self.places.len() as u32;
+        self.places.push(place);
+    }
+
+    /// Centres outside the box belong to the nearest cell: that brings none of them further apart.
+    fn coordinates(&self, centre: &Vector<D>) -> [usize; D] {
+        std::array::from_fn(|axis| {
+            let cell = ((centre[axis] - self.lower[axis]) / self.width).max(0.0) as usize;
+            cell.min(self.counts[axis] - 1)
+        })
+    }
+
+    fn index(&self, at: &[usize; D]) -> usize {
+        at.iter().zip(&self.counts).fold(0, |index, (a, n)| index * n + a)
+    }
+}

@@ -1,0 +1,94 @@
+//! Materials, and what two of them share when they touch.
+
+use crate::contact::damping_ratio;
+
+/// What a grain or a wall is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Density ρ \[kg/m³\].
+    pub density: f64,
+    /// Young's modulus E \[Pa\].
+    pub youngs_modulus: f64,
+    /// Poisson's ratio ν \[-\].
+    pub poissons_ratio: f64,
+}
+
+/// Two materials in contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairMaterial {
+    /// E*, 1/E* = Σ (1 - ν²)/E \[Pa\].
+    pub effective_modulus: f64,
+    /// G*, 1/G* = Σ 2 (2 - ν)(1 + ν)/E \[Pa\].
+    pub effective_shear_modulus: f64,
+    /// Damping ratio ζ that gives the pair's restitution \[-\].
+    pub damping_ratio: f64,
+    /// Coefficient of sliding friction μ \[-\].
+    pub sliding_friction: f64,
+}
+
+impl PairMaterial {
+    /// The pair of two materials with restitution e in (0, 1] and friction μ (Johnson 1985, Eqs. 4.22 and 7.43).
+    pub fn new(one: &Material, other: &Material, restitution: f64, sliding_friction: f64) -> Self {
+        let both = |compliance: fn(&Material) -> f64| 1.0 / (compliance(one) + compliance(other));
+        Self {
+            effective_modulus: both(|m| (1.0 - m.poissons_ratio.powi(2)) / m.youngs_modulus),
+            effective_shear_modulus: both(|m| {
+                2.0 * (2.0 - m.poissons_ratio) * (1.0 + m.poissons_ratio) / m.youngs_modulus
+            }),
+            damping_ratio: damping_ratio(restitution),
+            sliding_friction,
+        }
+    }
+}
+
+/// The materials of a scene and all their pairs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Materials {
+    list: Vec<Material>,
+    pairs: Vec<PairMaterial>,
+}
+
+impl Materials {
+    /// Materials and, for each two of them, restitution and sliding friction.
+    pub fn new(list: Vec<Material>, touch: impl Fn(usize, usize) -> (f64, f64)) -> Self {
+        let pairs = (0..list.len())
+            .flat_map(|a| (0..list.len()).map(move |b| (a.min(b), a.max(b))))
+            .map(|(a, b)| {
+                let (restitution, sliding_friction) = touch(a, b);
+                PairMaterial::new(&list[a], &list[b], restitution, sliding_friction)
+            })
+            .collect();
+        Self { list, pairs }
+    }
+
+    /// The material of this index.
+    pub fn get(&self, material: u32) -> &Material {
+        &self.list[material as usize]
+    }
+
+    /// The pair of two materials.
+    #[inline]
+    pub fn pair(&self, one: u32, other: u32) -> &PairMaterial {
+        &self.pairs[one as usize * self.list.len() + other as usize]
+    }
+
+    /// Number of materials.
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Largest damping ratio of all pairs.
+    pub fn largest_damping_ratio(&self) -> f64 {
+        self.pairs.iter().map(|pair| pair.damping_ratio).fold(0.0, f64::max)
+    }
+
+    /// Whether any pair rubs.
+    pub fn rub(&self) -> bool {
+        self.pairs.iter().any(|pair| pair.sliding_friction > 0.0)
+    }
+}

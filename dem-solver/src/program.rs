@@ -1,0 +1,140 @@
+//! The executable `dem-solver`.
+
+use crate::couple::{DemParticipant, Frames};
+use crate::error::DemError;
+use crate::record::Record;
+use crate::setup::{FluidMesh, set_up};
+use crate::wall::Facet;
+use case_io::document::{Case, Dimension, Overrides};
+use case_io::exit_code::ExitCode;
+use case_io::plan::Plan;
+use clap::{Parser, Subcommand};
+use interface::InterfaceError;
+use interface::alone::run_by_coupler;
+use interface::assignment::Assignment;
+use interface::message::{Failure, Surface};
+use interface::participant::serve;
+use interface::run::leave_interrupts_to_coupler;
+use interface::transport::{CommandReceiver, DemEnds, shared_memory};
+use std::io::Write;
+
+/// The grains of a coupled run; alone on a case without a fluid.
+#[derive(Parser)]
+#[command(name = "dem-solver", version, about, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run a case without a fluid, with the flags and the output of `coupler run`.
+    Run {
+        /// Case and flags, as for `coupler run`.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
+    /// Take part in a coupled run (used by the coupler).
+    #[command(hide = true)]
+    Participate {
+        /// What the coupler wants.
+        assignment: String,
+    },
+}
+
+/// Runs the command line; returns the exit code.
+pub fn main() -> std::process::ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let _ = error.print();
+            return if error.use_stderr() { ExitCode::CommandLine.into() } else { ExitCode::Done.into() };
+        }
+    };
+    match arguments.command {
+        Command::Run { arguments } => run_by_coupler(&arguments),
+        Command::Participate { assignment } => match participate(&assignment) {
+            Ok(()) => ExitCode::Done.into(),
+            Err(error) => {
+                let _ = writeln!(std::io::stderr(), "dem-solver: {error}");
+                DemError::from(error).exit_code().into()
+            }
+        },
+    }
+}
+
+fn participate(assignment: &str) -> Result<(), InterfaceError> {
+    leave_interrupts_to_coupler();
+    let part = Assignment::from_argument(assignment)?;
+    // A pool that exists already computes the same bits.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(part.threads).build_global();
+    let abandon = Box::new(|| std::process::exit(i32::from(ExitCode::PeerDied.code())));
+    let ends = shared_memory::join_as_dem(part.run_id()?, part.deadlines(), abandon)?;
+    take_part(&part, ends)
+}
+
+/// Sets up the grains of a case and serves the coupler over any transport.
+///
+/// # Errors
+/// This side's own failure once it is reported; a dead or frozen coupler.
+pub fn take_part(part: &Assignment, ends: DemEnds) -> Result<(), InterfaceError> {
+    let DemEnds { mut control, grains, impulse, hydro } = ends;
+    let frames = (grains, impulse, hydro);
+    let dimension = load(part).map(|case| case.document.case.dimension);
+    match dimension {
+        Ok(Dimension::Two) => serve_case::<2>(part, frames, &mut control),
+        // What keeps the case from being loaded is told when the coupler asks.
+        Ok(Dimension::Three) | Err(_) => serve_case::<3>(part, frames, &mut control),
+    }
+}
+
+fn serve_case<const D: usize>(
+    part: &Assignment,
+    frames: Frames,
+    control: &mut CommandReceiver,
+) -> Result<(), InterfaceError> {
+    serve(control, part.hold.as_ref(), |hello| {
+        participant::<D>(part, frames, hello.surface.as_ref()).map_err(Failure::from)
+    })
+}
+
+fn participant<const D: usize>(
+    part: &Assignment,
+    frames: Frames,
+    surface: Option<&Surface>,
+) -> Result<DemParticipant<D>, DemError> {
+    let case = load(part)?;
+    let setup = set_up::<D>(&case, surface.map(FluidMesh::from).as_ref())?;
+    let record = Record::new(&part.out, case.document.output.compress);
+    let identity = (case.hash.clone(), Plan::of(&case.document).hash());
+    let mut participant =
+        DemParticipant::new(setup, frames, record, identity, case.document.fluid.is_some());
+    if let Some(folder) = &part.resume {
+        participant.resume(folder)?;
+    }
+    Ok(participant)
+}
+
+impl<const D: usize> From<&Surface> for FluidMesh<D> {
+    fn from(surface: &Surface) -> Self {
+        let point = |point: &[f64; 3]| -> [f64; D] { std::array::from_fn(|axis| point[axis]) };
+        let facet = |vertices: &[[f64; 3]; 3]| Facet::new(std::array::from_fn(|vertex| point(&vertices[vertex])));
+        let facets = |list: &Vec<[[f64; 3]; 3]>| list.iter().map(facet).collect();
+        FluidMesh {
+            bounds: (point(&surface.lower), point(&surface.upper)),
+            boundaries: surface.facets.iter().map(|(name, list)| (name.clone(), facets(list))).collect(),
+        }
+    }
+}
+
+fn load(part: &Assignment) -> Result<Case, DemError> {
+    let overrides = Overrides { set: part.set.clone(), variant: part.variant.clone() };
+    let cases = Case::load(&part.case, &overrides)?;
+    cases.into_iter().find(|case| case.run == part.name).ok_or_else(|| {
+        DemError::Interface(InterfaceError::Difference {
+            field: "run of the sweep",
+            own: "none of this name".to_string(),
+            theirs: part.name.clone().unwrap_or_default(),
+        })
+    })
+}

@@ -1,0 +1,126 @@
+//! What the grains leave on disk: `series/grains.csv`, `frames/grains-N.vtp`.
+
+use crate::error::DemError;
+use crate::vector::embed;
+use crate::world::World;
+use case_io::output::series::{SeriesWriter, cut_after};
+use case_io::output::vtk::{Collection, Compression, Field, Format, GrainPoints, Precision};
+use std::path::{Path, PathBuf};
+
+const TITLES: [&str; 12] = [
+    "t[s]",
+    "count[-]",
+    "x[m]",
+    "y[m]",
+    "z[m]",
+    "vx[m/s]",
+    "vy[m/s]",
+    "vz[m/s]",
+    "speed-max[m/s]",
+    "height-max[m]",
+    "kinetic-energy[J]",
+    "substeps[-]",
+];
+
+/// Open files of one run.
+pub struct Record {
+    out: PathBuf,
+    format: Format,
+    series: Option<SeriesWriter>,
+    frames: Option<Collection>,
+}
+
+impl Record {
+    /// Nothing is written before `start` or `resume`.
+    pub fn new(out: &Path, compress: bool) -> Record {
+        let compression = if compress { Compression::Lz4 } else { Compression::None };
+        let format = Format { precision: Precision::Single, compression };
+        Record { out: out.to_path_buf(), format, series: None, frames: None }
+    }
+
+    fn paths(&self) -> (PathBuf, PathBuf) {
+        (self.out.join("series/grains.csv"), self.out.join("frames/grains.pvd"))
+    }
+
+    /// Starts the files with the initial state.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn start<const D: usize>(&mut self, world: &World<D>) -> Result<(), DemError> {
+        let (series, frames) = self.paths();
+        self.series = Some(SeriesWriter::create(&series, &TITLES)?);
+        self.frames = Some(Collection::create(&frames)?);
+        self.row(world, 0)?;
+        self.frame(world, 0)
+    }
+
+    /// Goes on after `time`; later rows and frames are cut.
+    ///
+    /// # Errors
+    /// The disk's, or files of another program.
+    pub fn resume(&mut self, time: f64) -> Result<(), DemError> {
+        let (series, frames) = self.paths();
+        cut_after(&series, time)?;
+        self.series = Some(SeriesWriter::append(&series, &TITLES)?);
+        let mut collection = Collection::open(&frames)?;
+        collection.truncate_after(time)?;
+        self.frames = Some(collection);
+        Ok(())
+    }
+
+    /// Appends the means over all grains: place, velocity (not weighted), and what is largest.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn row<const D: usize>(&mut self, world: &World<D>, substeps: u64) -> Result<(), DemError> {
+        let Some(series) = &mut self.series else { return Ok(()) };
+        let grains = &world.grains;
+        let count = grains.len() as f64;
+        let (mut place, mut velocity) = ([0.0; 3], [0.0; 3]);
+        let (mut fastest, mut highest, mut energy) = (0.0_f64, f64::NEG_INFINITY, 0.0);
+        for (at, motion) in grains.place.iter().zip(&grains.motion) {
+            let (centre, speed) = (embed(&at.centre), embed(&motion.velocity));
+            (0..3).for_each(|k| {
+                place[k] += centre[k] / count;
+                velocity[k] += speed[k] / count;
+            });
+            fastest = fastest.max(motion.velocity.norm());
+            highest = highest.max(at.centre[D - 1] + at.radius);
+            if !motion.is_frozen() {
+                energy += 0.5
+                    * (motion.velocity.norm_squared() / motion.inverse_mass
+                        + motion.angular_velocity.norm_squared() / motion.inverse_inertia);
+            }
+        }
+        let [x, y, z] = place;
+        let [vx, vy, vz] = velocity;
+        let substeps = substeps as f64;
+        let row = [world.time, count, x, y, z, vx, vy, vz, fastest, highest, energy, substeps];
+        Ok(series.row(&row)?)
+    }
+
+    /// Writes a frame and enters it in the index.
+    ///
+    /// # Errors
+    /// The disk's.
+    pub fn frame<const D: usize>(&mut self, world: &World<D>, number: u64) -> Result<(), DemError> {
+        let Some(frames) = &mut self.frames else { return Ok(()) };
+        let grains = &world.grains;
+        let centres: Vec<[f64; D]> = grains.place.iter().map(|place| place.centre.into()).collect();
+        let radii: Vec<f64> = grains.place.iter().map(|place| place.radius).collect();
+        let velocities: Vec<[f64; D]> = grains.motion.iter().map(|motion| motion.velocity.into()).collect();
+        let spins: Vec<[f64; 3]> = grains.motion.iter().map(|motion| motion.angular_velocity.into()).collect();
+        let materials: Vec<u64> = grains.material.iter().map(|material| u64::from(*material)).collect();
+        let fields = [
+            Field::whole("id", &grains.id),
+            Field::scalar("radius", &radii),
+            Field::vector("velocity", &velocities),
+            Field::vector("angular_velocity", &spins),
+            Field::whole("material", &materials),
+        ];
+        let name = format!("grains-{number:05}.vtp");
+        let points = GrainPoints { centres: &centres, fields: &fields };
+        points.write(&self.out.join("frames").join(&name), self.format)?;
+        Ok(frames.push(world.time, &name)?)
+    }
+}

@@ -1,0 +1,81 @@
+//! What stays the same during a run: materials, walls, laws, gravity, the domain.
+
+use crate::contact::{Coefficients, NormalLaw, normal::Normal};
+use crate::domain::Domain;
+use crate::material::Materials;
+use crate::vector::Vector;
+use crate::wall::Walls;
+
+/// What happens when a grain leaves the domain.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Escape {
+    /// The run stops.
+    #[default]
+    Stop,
+    /// The grain is removed at the end of the window, and booked.
+    Remove,
+}
+
+/// The constant part of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene<const D: usize> {
+    /// Where grains may be.
+    pub domain: Domain<D>,
+    /// How far each image of the domain is, by its code.
+    pub shifts: Vec<Vector<D>>,
+    /// What happens to grains that leave the domain.
+    pub escape: Escape,
+    /// Acceleration of gravity g \[m/s²\].
+    pub gravity: Vector<D>,
+    /// Depth of the slab \[m\] (2D).
+    pub depth: f64,
+    /// Materials and their pairs.
+    pub materials: Materials,
+    /// The normal contact law.
+    pub normal_law: NormalLaw,
+    /// The walls.
+    pub walls: Walls<D>,
+}
+
+impl<const D: usize> Scene<D> {
+    /// A scene in all space, without walls or gravity.
+    pub fn new(materials: Materials, normal_law: NormalLaw) -> Self {
+        let domain = Domain::unbounded();
+        Self {
+            domain,
+            shifts: domain.shifts(),
+            escape: Escape::Stop,
+            gravity: Vector::zeros(),
+            depth: 1.0,
+            materials,
+            normal_law,
+            walls: Walls::new(vec![]),
+        }
+    }
+
+    /// The scene in this domain.
+    pub fn in_domain(self, domain: Domain<D>) -> Self {
+        Self { domain, shifts: domain.shifts(), ..self }
+    }
+
+    /// The scene with this gravity.
+    pub fn with_gravity(self, gravity: [f64; D]) -> Self {
+        Self { gravity: gravity.into(), ..self }
+    }
+
+    /// The scene with these walls.
+    pub fn with_walls(self, walls: Walls<D>) -> Self {
+        Self { walls, ..self }
+    }
+
+    /// Constants of the contact of two materials at this effective radius \[m\] and effective mass \[kg\]; nothing
+    /// where nothing touches.
+    pub fn coefficients(&self, materials: (u32, u32), radius: f64, mass: f64) -> Option<Coefficients> {
+        let pair = self.materials.pair(materials.0, materials.1);
+        match self.normal_law {
+            NormalLaw::Hooke(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
+            NormalLaw::Hertz(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
+            NormalLaw::None => None,
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! The grains of a case.
+
+use case_io::document::{self, Case, Insertion, Placement};
+
+use super::surroundings::material_index;
+use crate::error::DemError;
+use crate::insertion::{
+    Amount, Batch, Feed, Flow, Lattice, LatticeKind, Random, RandomBox, Sizes, coincident, read_grains,
+};
+use crate::scene::Scene;
+use crate::vector::{Vector, embed, restrict};
+use crate::world::World;
+
+/// More grains than this from one lattice are taken for a mistake in its spacing.
+const MOST_GRAINS: f64 = 1e8;
+
+/// The world of a case at the start: each insertion in the order of the case, with random numbers of its own.
+pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<World<D>, DemError> {
+    let mut world = World::new();
+    for (index, insertion) in case.document.insertion.iter().enumerate() {
+        let mut random = Random::new(case.document.case.seed ^ (index as u64) << 32);
+        let batch = batch(case, index, insertion)?;
+        let place = Place { case, index, scene, insertion };
+        match insertion.placement() {
+            Some(Placement::At(points)) => {
+                for point in points {
+                    let radius = batch.sizes.draw(&mut random);
+                    world.add(scene, &batch.grain(Vector::from(point.to_array()), radius));
+                }
+            }
+            Some(Placement::Lattice(lattice)) => place.lattice(lattice, &batch, &mut random, &mut world)?,
+            Some(Placement::RandomBox(random_box)) => {
+                let amount = match (random_box.count, random_box.solid_fraction) {
+                    (Some(count), _) => Amount::Count(count as usize),
+                    (None, fraction) => Amount::SolidFraction(fraction.unwrap_or_default()),
+                };
+                let lower = Vector::from(random_box.lower.to_array());
+                let upper = Vector::from(random_box.upper.to_array());
+                RandomBox { lower, upper, amount }.insert(scene, &mut world, &batch, &mut random)?;
+            }
+            Some(Placement::File(file)) => place.file(file, &batch, &mut random, &mut world)?,
+            Some(Placement::Rate(rate)) => world.feeds.push(feed(case, rate, batch, random)),
+            None => {
+                let allowed = "one of at, lattice, random-box, file, rate";
+                return Err(case.error(&format!("insertion[{index}]"), "no placement", allowed, "").into());
+            }
+        }
+    }
+    Ok(world)
+}
+
+/// No two centres coincide, and none is outside the domain.
+pub fn check_places<const D: usize>(case: &Case, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
+    let at = |row: usize| {
+        let centre = embed(&world.grains.place[row].centre);
+        format!("({}, {}, {}) m", centre.x, centre.y, centre.z)
+    };
+    if let Some((one, other)) = coincident(&world.grains.place, &scene.domain) {
+        let found = format!("grains {one} and {other} both have their centre at {}", at(one));
+        return Err(case.error("insertion", found, "", "insert grains apart from each other").into());
+    }
+    if let Some(row) = world.grains.place.iter().position(|place| !scene.domain.holds(&place.centre)) {
+        let (lower, upper) = (embed(&scene.domain.lower), embed(&scene.domain.upper));
+        let found = format!("the centre of grain {row} is at {}", at(row));
+        let allowed = format!(
+            "from ({}, {}, {}) m to ({}, {}, {}) m, the domain",
+            lower.x, lower.y, lower.z, upper.x, upper.y, upper.z
+        );
+        return Err(case
+            .error("insertion", found, allowed, "move the grain, or enlarge grains.domain")
+            .into());
+    }
+    Ok(())
+}
+
+fn batch<const D: usize>(case: &Case, index: usize, insertion: &Insertion) -> Result<Batch<D>, DemError> {
+    let material = material_index(case, &insertion.material, &format!("insertion[{index}].material"))?;
+    // A file may state the sizes; where it does not, its grains are refused one by one.
+    let [smallest, largest] = insertion.diameters().unwrap_or_default().map(|diameter| 0.5 * diameter);
+    Ok(Batch {
+        name: insertion.name.clone(),
+        material,
+        sizes: Sizes { smallest, largest },
+        velocity: insertion
+            .velocity
+            .as_ref()
+            .map_or(Vector::zeros(), |velocity| Vector::from(velocity.to_array())),
+        frozen: insertion.frozen,
+    })
+}
+
+fn feed<const D: usize>(case: &Case, rate: &document::Rate, batch: Batch<D>, random: Random) -> Feed<D> {
+    let flow = match (rate.mass_rate, rate.number_rate) {
+        (Some(mass), _) => Flow::Mass(mass.si()),
+        (None, number) => Flow::Number(number.map_or(0.0, |number| number.si())),
+    };
+    Feed {
+        batch,
+        lower: Vector::from(rate.lower.to_array()),
+        upper: Vector::from(rate.upper.to_array()),
+        flow,
+        start: rate.start.map_or(0.0, |start| start.si()),
+        stop: rate.stop.unwrap_or(case.document.time.end).si(),
+        random,
+        fed: 0.0,
+        count: 0,
+        refused: 0,
+        waiting: None,
+    }
+}
+
+/// One insertion of the case.
+struct Place<'a, const D: usize> {
+    case: &'a Case,
+    index: usize,
+    scene: &'a Scene<D>,
+    insertion: &'a Insertion,
+}
+
+impl<const D: usize> Place<'_, D> {
+    fn lattice(
+        &self,
+        lattice: &document::Lattice,
+        batch: &Batch<D>,
+        random: &mut Random,
+        world: &mut World<D>,
+    ) -> Result<(), DemError> {
+        let lattice = Lattice {
+            lower: Vector::from(lattice.lower.to_array()),
+            upper: Vector::from(lattice.upper.to_array()),
+            spacing: lattice.spacing.si(),
+            kind: match lattice.kind {
+                document::LatticeKind::SimpleCubic => LatticeKind::SimpleCubic,
+                document::LatticeKind::Hexagonal => LatticeKind::Hexagonal,
+            },
+            turn: lattice.turn.map_or(0.0, |turn| turn.si()),
+        };
+        if lattice.estimate() > MOST_GRAINS {
+            let found = format!("about {:.1e} grains", lattice.estimate());
+            let key = format!("insertion[{}].lattice.spacing", self.index);
+            return Err(self.case.error(&key, found, "no more than 1e8", "take a larger spacing").into());
+        }
+        for centre in lattice.centres() {
+            let radius = batch.sizes.draw(random);
+            world.add(self.scene, &batch.grain(centre, radius));
+        }
+        Ok(())
+    }
+
+    fn file(
+        &self,
+        file: &document::GrainFile,
+        batch: &Batch<D>,
+        random: &mut Random,
+        world: &mut World<D>,
+    ) -> Result<(), DemError> {
+        for stated in read_grains(&self.case.folder.join(&file.path))? {
+            let own = self.insertion.diameters().is_none();
+            let radius = if own { stated.radius } else { Some(batch.sizes.draw(random)) };
+            let radius = radius.ok_or_else(|| {
+                let key = format!("insertion[{}].diameter", self.index);
+                self.case.error(
+                    &key,
+                    "missing, and the file has no diameters either",
+                    "",
+                    "state one of them",
+                )
+            })?;
+            let mut grain = batch.grain(restrict(&stated.centre.into()), radius);
+            if let (Some(velocity), None, false) = (stated.velocity, &self.insertion.velocity, batch.frozen) {
+                grain.velocity = restrict(&velocity.into());
+            }
+            world.add(self.scene, &grain);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,152 @@
+//! STL surfaces, ASCII and binary.
+
+use std::fs;
+use std::path::Path;
+
+use super::facet::Facet;
+use crate::error::DemError;
+use crate::vector::Vector;
+
+const HEADER: usize = 80;
+const RECORD: usize = 50;
+
+/// Triangles whose height is below this fraction of their longest edge have no side to push to.
+const FLATTEST: f64 = 1e-7;
+
+/// Reads the triangles of an STL file; its coordinates times `scale` are metres.
+///
+/// # Errors
+/// A file that is missing, cut short, holds no triangle, a coordinate that is not finite, or a triangle without
+/// area.
+pub fn read_stl(path: &Path, scale: f64) -> Result<Vec<Facet<3>>, DemError> {
+    let bytes = fs::read(path).map_err(|source| DemError::Unreadable { path: path.into(), source })?;
+    parse(&bytes, scale).map_err(|what| DemError::BadFile { path: path.into(), what })
+}
+
+fn parse(bytes: &[u8], scale: f64) -> Result<Vec<Facet<3>>, String> {
+    let triangles = if is_ascii(bytes) { parse_ascii(bytes)? } else { parse_binary(bytes)? };
+    if triangles.is_empty() {
+        return Err("holds no triangle; an STL surface needs at least one".into());
+    }
+    triangles.into_iter().enumerate().map(|(index, vertices)| facet(index + 1, vertices, scale)).collect()
+}
+
+/// A binary file may begin with "solid" too; only an ASCII one has words and no zero byte after it.
+fn is_ascii(bytes: &[u8]) -> bool {
+    bytes.trim_ascii_start().starts_with(b"solid") && !bytes.contains(&0)
+}
+
+fn parse_ascii(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, String> {
+    let text = std::str::from_utf8(bytes).map_err(|_| "is neither text nor binary STL".to_string())?;
+    let (mut triangles, mut vertices, mut ended) = (Vec::new(), Vec::new(), false);
+    for (index, line) in text.lines().enumerate() {
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some("vertex") => {
+                let numbers: Vec<f64> = words.map_while(|word| word.parse().ok()).collect();
+                let vertex = numbers.try_into().map_err(|_| {
+                    format!("line {}: {:?} is not a vertex; write \"vertex x y z\"", index + 1, line.trim())
+                })?;
+                vertices.push(vertex);
+            }
+            Some("endfacet") => {
+                let count = vertices.len();
+                let triangle = std::mem::take(&mut vertices).try_into().map_err(|_| {
+                    format!("line {}: a facet of {count} vertices; STL has triangles only", index + 1)
+                })?;
+                triangles.push(triangle);
+            }
+            Some("endsolid") => ended = true,
+            _ => {}
+        }
+    }
+    if ended {
+        Ok(triangles)
+    } else {
+        Err("ends without \"endsolid\"; it was cut short, write it again".into())
+    }
+}
+
+fn parse_binary(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, String> {
+    let Some(count) = bytes.get(HEADER..HEADER + 4) else {
+        return Err(format!("is {} bytes long; even an empty binary STL has 84", bytes.len()));
+    };
+    let count = u32::from_le_bytes([count[0], count[1], count[2], count[3]]) as usize;
+    let records = &bytes[HEADER + 4..];
+    let (found, announced) = (records.len(), count.saturating_mul(RECORD));
+    if found < announced {
+        return Err(format!(
+            "announces {count} triangles ({announced} bytes) and holds {found} bytes of them; it was cut short, write it again"
+        ));
+    }
+    let number = |bytes: &[u8]| f64::from(f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
+    let vertex = |bytes: &[u8]| std::array::from_fn(|axis| number(&bytes[4 * axis..]));
+    let record = |bytes: &[u8]| std::array::from_fn(|k| vertex(&bytes[12 * (k + 1)..]));
+    Ok(records[..announced].chunks_exact(RECORD).map(record).collect())
+}
+
+fn facet(number: usize, vertices: [[f64; 3]; 3], scale: f64) -> Result<Facet<3>, String> {
+    let vertices = vertices.map(|vertex| Vector::from(vertex) * scale);
+    if !vertices.iter().all(|vertex| vertex.iter().all(|x| x.is_finite())) {
+        return Err(format!("triangle {number}: a coordinate is not a finite number"));
+    }
+    let [a, b, c] = vertices;
+    let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
+    if (b - a).cross(&(c - a)).norm() <= FLATTEST * longest * longest {
+        return Err(format!(
+            "triangle {number}: its vertices lie on one line, so that it has no area; remove it or repair the surface"
+        ));
+    }
+    Ok(Facet { vertices })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ASCII: &str = "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n";
+
+    fn binary(triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
+        let mut bytes = b"solid by name, binary by nature".to_vec();
+        bytes.resize(HEADER, 0);
+        bytes.extend((triangles.len() as u32).to_le_bytes());
+        for triangle in triangles {
+            bytes.extend([0; 12]);
+            bytes.extend(triangle.iter().flatten().flat_map(|x| x.to_le_bytes()));
+            bytes.extend([0; 2]);
+        }
+        bytes
+    }
+
+    const UNIT: [[f32; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
+    #[test]
+    fn both_forms_give_the_same_triangle_in_metres() {
+        let ascii = parse(ASCII.as_bytes(), 1e-3).unwrap();
+        assert_eq!(ascii, parse(&binary(&[UNIT]), 1e-3).unwrap());
+        assert_eq!(ascii[0].vertices[1], Vector::from([1e-3, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn damaged_files_are_refused_with_the_place_of_the_damage() {
+        let error = |bytes: &[u8]| parse(bytes, 1.0).unwrap_err();
+        let whole = binary(&[UNIT, UNIT]);
+        assert!(
+            error(&whole[..whole.len() - 1]).starts_with("announces 2 triangles (100 bytes) and holds 99")
+        );
+        assert_eq!(error(b"stl"), "is 3 bytes long; even an empty binary STL has 84");
+        assert!(error(&ASCII.as_bytes()[..51]).contains("cut short"));
+        assert!(
+            error(ASCII.replace("vertex 1 0 0", "vertex 1 0").as_bytes())
+                .starts_with("line 5: \"vertex 1 0\"")
+        );
+        assert!(
+            error(ASCII.replace("vertex 1 0 0", "vertex 1 0 NaN").as_bytes())
+                .starts_with("triangle 1: a coord")
+        );
+        assert!(error(ASCII.replace("vertex 0 1 0", "vertex 5 0 0").as_bytes()).contains("no area"));
+        assert!(error(&binary(&[])).starts_with("holds no triangle"));
+        let path = Path::new("/nowhere/pipe.stl");
+        assert!(read_stl(path, 1.0).unwrap_err().to_string().starts_with("/nowhere/pipe.stl: "));
+    }
+}

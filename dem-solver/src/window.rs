@@ -1,0 +1,70 @@
+//! A window: equal substeps, and what they add up to.
+
+use interface::HydroRow;
+
+use crate::error::DemError;
+use crate::integrate::drift;
+use crate::ledger::Ledger;
+use crate::relaxation::Relaxation;
+use crate::scene::Scene;
+use crate::step::step;
+use crate::workspace::{Impulse, Workspace};
+use crate::world::World;
+
+/// Moves the world by `duration` \[s\] in so many equal substeps, under the action of the fluid if there is one.
+///
+/// What each grain received is left in `workspace.impulse` when there is a fluid.
+///
+/// # Errors
+/// The first fault of a step; a window that is no time; rows of the fluid that do not fit the grains.
+pub fn window<const D: usize>(
+    scene: &Scene<D>,
+    world: &mut World<D>,
+    workspace: &mut Workspace<D>,
+    hydro: Option<&[HydroRow]>,
+    duration: f64,
+    substeps: u32,
+) -> Result<Ledger<D>, DemError> {
+    let dt = duration / f64::from(substeps);
+    if !(dt > 0.0 && dt.is_finite()) {
+        return Err(DemError::BadWindow { window: duration, substeps });
+    }
+    workspace.open(world, scene.walls.len());
+    if let Some(rows) = hydro {
+        relax(world, workspace, rows, dt)?;
+    }
+    let mut ledger = Ledger::open(world, workspace);
+    // Inside the pool, parallel loops of a step start without a call across threads.
+    rayon::scope(|_| {
+        drift(world, workspace, 0.5 * dt);
+        (1..=substeps).try_for_each(|k| {
+            step(scene, world, workspace, hydro, dt, if k < substeps { dt } else { 0.5 * dt })
+        })
+    })?;
+    world.time += duration;
+    ledger.close(scene, world, workspace, hydro, duration);
+    Ok(ledger)
+}
+
+fn relax<const D: usize>(
+    world: &World<D>,
+    workspace: &mut Workspace<D>,
+    hydro: &[HydroRow],
+    dt: f64,
+) -> Result<(), DemError> {
+    let grains = &world.grains;
+    if hydro.len() != grains.len() {
+        return Err(DemError::WrongRows { rows: hydro.len(), grains: grains.len() });
+    }
+    if let Some(row) =
+        hydro.iter().position(|row| !(row.exchange_coefficient >= 0.0 && row.added_mass >= 0.0))
+    {
+        let (exchange_coefficient, added_mass) = (hydro[row].exchange_coefficient, hydro[row].added_mass);
+        return Err(DemError::BadHydro { grain: grains.id[row], exchange_coefficient, added_mass });
+    }
+    let relaxation =
+        |(row, mass): (&HydroRow, &f64)| Relaxation::new(mass + row.added_mass, row.exchange_coefficient, dt);
+    workspace.relaxation.extend(hydro.iter().zip(&grains.mass).map(relaxation));
+    workspace.impulse.resize(grains.len(), Impulse::zero());
+    Ok(())
+}

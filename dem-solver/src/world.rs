@@ -1,0 +1,84 @@
+//! The state: all that a checkpoint holds, and all that a coupling iteration goes back to.
+
+use crate::contact::ContactList;
+use crate::grains::{Grain, Grains, volume};
+use crate::insertion::Feed;
+use crate::scene::Scene;
+
+/// Grains with the memory of their contacts, at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct World<const D: usize> {
+    /// Time t \[s\].
+    pub time: f64,
+    /// The grains.
+    pub grains: Grains<D>,
+    /// The neighbour list and what contacts remember.
+    pub contacts: ContactList<D>,
+    /// How many grains were ever born: the identity of the next.
+    pub born: u64,
+    /// How many were ever removed.
+    pub removed: u64,
+    /// Insertions that go on over time.
+    pub feeds: Vec<Feed<D>>,
+}
+
+/// A state put aside, in memory that is reused.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Saved<const D: usize>(World<D>);
+
+impl<const D: usize> World<D> {
+    /// No grain, at t = 0.
+    pub fn new() -> Self {
+        Self {
+            time: 0.0,
+            grains: Grains::new(),
+            contacts: ContactList::new(),
+            born: 0,
+            removed: 0,
+            feeds: vec![],
+        }
+    }
+
+    /// Gives birth to a grain of the scene.
+    pub fn add(&mut self, scene: &Scene<D>, grain: &Grain<D>) {
+        let density = scene.materials.get(grain.material).density;
+        self.grains.push(self.born, grain, density * volume::<D>(grain.radius, scene.depth));
+        self.born += 1;
+        self.contacts.valid = false;
+    }
+
+    /// Keeps the rows `order`, in that order; contacts keep their memory.
+    pub fn reorder(&mut self, order: &[u32]) {
+        let mut new_row = vec![None; self.grains.len()];
+        for (row, &old) in order.iter().enumerate() {
+            new_row[old as usize] = Some(row as u32);
+        }
+        self.grains.reorder(order);
+        self.contacts.renumber(&new_row, order.len());
+    }
+
+    /// Puts the state aside, every bit of it.
+    pub fn save(&self, saved: &mut Saved<D>) {
+        saved.0.copy_from(self);
+    }
+
+    /// Goes back to the saved state.
+    pub fn restore(&mut self, saved: &Saved<D>) {
+        self.copy_from(&saved.0);
+    }
+
+    fn copy_from(&mut self, other: &Self) {
+        self.time = other.time;
+        self.grains.copy_from(&other.grains);
+        self.contacts.copy_from(&other.contacts);
+        self.born = other.born;
+        self.removed = other.removed;
+        self.feeds.clone_from(&other.feeds);
+    }
+}
+
+impl<const D: usize> Default for World<D> {
+    fn default() -> Self {
+        Self::new()
+    }
+}

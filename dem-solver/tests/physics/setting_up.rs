@@ -1,0 +1,153 @@
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use case_io::document::{Case, Overrides};
+use dem_solver::wall::Facet;
+use dem_solver::{FluidMesh, Setup, Substep, set_up};
+
+const CASE: &str = r#"
+[case]
+title = "grains in a box"
+dimension = 3
+gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
+[time]
+end = "1 s"
+substep = "10 us"
+[materials.glass]
+density = "2500 kg/m^3"
+youngs-modulus = "10 MPa"
+poissons-ratio = 0.3
+[pairs.glass-glass]
+restitution = 0.9
+sliding-friction = 0.3
+[grains]
+normal-law = "hertz"
+domain = { lower = ["0 m", "0 m", "0 m"], upper = ["1 m", "1 m", "2 m"] }
+escape = "remove"
+periodic = ["x"]
+[[insertion]]
+name = "two"
+material = "glass"
+diameter = "2 mm"
+velocity = ["1 m/s", "0 m/s", "0 m/s"]
+at = [["10 cm", "0.5 m", "0.5 m"], ["20 cm", "0.5 m", "0.5 m"]]
+[[insertion]]
+name = "bed"
+material = "glass"
+diameter = "10 mm"
+frozen = true
+lattice = { lower = ["0.3 m", "0.3 m", "0.3 m"], upper = ["0.34 m", "0.34 m", "0.34 m"], spacing = "1 cm" }
+[[insertion]]
+name = "read"
+material = "glass"
+file = { path = "grains.csv" }
+[[insertion]]
+name = "fed"
+material = "glass"
+diameter-range = ["1 mm", "2 mm"]
+rate = { lower = ["0.5 m", "0.5 m", "1.5 m"], upper = ["0.6 m", "0.6 m", "1.6 m"], number-rate = "100 1/s" }
+[[wall]]
+name = "floor"
+material = "glass"
+plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 2] }
+"#;
+
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("dem-solver-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        fs::write(path.join("grains.csv"), "x[m],y[m],z[m],vx[m/s],diameter[m]\n0.9,0.9,0.9,0.5,4e-3\n")
+            .unwrap();
+        Self(path)
+    }
+
+    fn set_up(&self, text: &str, mesh: Option<&FluidMesh<3>>) -> Result<Setup<3>, String> {
+        fs::write(self.0.join("case.toml"), text).unwrap();
+        let case = Case::load(&self.0, &Overrides::default()).map_err(|error| error.to_string())?.remove(0);
+        set_up(&case, mesh).map_err(|error| error.to_string())
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        drop(fs::remove_dir_all(&self.0));
+    }
+}
+
+#[test]
+fn a_case_becomes_a_scene_and_a_world() {
+    let Setup { scene, world, substep } = Folder::new("whole").set_up(CASE, None).unwrap();
+    assert_eq!((world.grains.len(), world.feeds.len(), substep), (2 + 64 + 1, 1, Substep::Given(1e-5)));
+    assert_eq!(world.grains.motion[0].velocity.x, 1.0);
+    assert!(world.grains.motion[2].is_frozen() && !world.grains.motion[66].is_frozen());
+    assert_eq!((world.grains.place[66].radius, world.grains.motion[66].velocity.x), (2e-3, 0.5));
+    assert!((world.grains.mass[0] - 2500.0 * 4.0 / 3.0 * std::f64::consts::PI * 1e-9).abs() < 1e-20);
+    assert_eq!((scene.domain.periodic, scene.gravity.z, scene.walls.len()), ([true, false, false], -9.81, 1));
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_its_key() {
+    let folder = Folder::new("refused");
+    let refusal = |from: &str, to: &str| folder.set_up(&CASE.replace(from, to), None).unwrap_err();
+    let twice = refusal("\"20 cm\", \"0.5 m\"", "\"10 cm\", \"0.5 m\"");
+    assert!(
+        twice.contains("insertion: grains 0 and 1 both have their centre at (0.1, 0.5, 0.5) m"),
+        "{twice}"
+    );
+    let outside = refusal("\"20 cm\", \"0.5 m\"", "\"20 cm\", \"5 m\"");
+    assert!(
+        outside.contains("insertion: the centre of grain 1 is at (0.2, 5, 0.5) m; allowed: from (0, 0, 0) m"),
+        "{outside}"
+    );
+    let many = refusal("spacing = \"1 cm\"", "spacing = \"1 um\"");
+    assert!(many.contains("insertion[1].lattice.spacing: about 6.4e13 grains"), "{many}");
+    let mesh = refusal(
+        "plane = { point = [\"0 m\", \"0 m\", \"0 m\"], normal = [0, 0, 2] }",
+        "mesh = { boundary = [\"z-min\"] }",
+    );
+    assert!(mesh.contains("wall[0].mesh"), "{mesh}");
+}
+
+#[test]
+fn boundary_faces_of_the_fluid_mesh_become_walls_and_the_mesh_bounds_the_domain() {
+    let text = CASE
+        .replace("substep = \"10 us\"", "window = \"1 ms\"")
+        .replace(
+            "plane = { point = [\"0 m\", \"0 m\", \"0 m\"], normal = [0, 0, 2] }",
+            "mesh = { boundary = [\"z-min\"] }",
+        )
+        .replace("domain = { lower = [\"0 m\", \"0 m\", \"0 m\"], upper = [\"1 m\", \"1 m\", \"2 m\"] }", "")
+        .replace("periodic = [\"x\"]", "")
+        .replace("[[insertion]]\nname = \"two\"", FLUID);
+    let faces = vec![Facet::new([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])];
+    let mesh = FluidMesh {
+        bounds: ([0.0; 3], [1.0, 1.0, 3.0]),
+        boundaries: BTreeMap::from([("z-min".to_string(), faces)]),
+    };
+    let folder = Folder::new("mesh");
+    let setup = folder.set_up(&text, Some(&mesh)).unwrap();
+    assert_eq!((setup.scene.walls.surfaces.len(), setup.scene.domain.upper.z), (1, 3.0));
+    let missing = FluidMesh { boundaries: BTreeMap::new(), ..mesh };
+    let error = folder.set_up(&text, Some(&missing)).unwrap_err();
+    assert!(error.contains("wall[0].mesh.boundary: the fluid mesh has no boundary \"z-min\""), "{error}");
+}
+
+/// A fluid side, and the first lines of the insertion it stands before.
+const FLUID: &str = r#"
+[fluid]
+backend = "eulerian"
+density = "1000 kg/m^3"
+viscosity = "1 mPa s"
+[fluid.mesh]
+box = { lower = ["0 m", "0 m", "0 m"], upper = ["1 m", "1 m", "3 m"], cells = [2, 2, 2] }
+[[fluid.boundary]]
+on = ["x-min", "x-max", "y-min", "y-max", "z-min", "z-max"]
+kind = "no-slip"
+[coupling]
+scheme = "serial-explicit"
+drag = "stokes"
+[[insertion]]
+name = "two""#;

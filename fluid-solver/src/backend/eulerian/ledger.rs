@@ -1,0 +1,148 @@
+//! The books of a window.
+
+use super::exchange::Exchange;
+use super::flow::{Flow, in_space};
+use super::krylov::split;
+use super::recovery::Recovered;
+use super::time_rule::TimeRule;
+use crate::backend::Step;
+use crate::element::simplex::{Vector, dot};
+use crate::weak_form::{Facet, PorousCell};
+use interface::ledger::FluidLedger;
+
+/// A sum of vectors and of the sizes of its terms.
+#[derive(Debug, Clone, Copy)]
+struct Sum<const D: usize> {
+    value: Vector<D>,
+    scale: f64,
+}
+
+impl<const D: usize> Sum<D> {
+    const ZERO: Self = Self { value: [0.0; D], scale: 0.0 };
+
+    fn add(&mut self, term: Vector<D>) {
+        for k in 0..D {
+            self.value[k] += term[k];
+            self.scale += term[k].abs();
+        }
+    }
+}
+
+impl<const D: usize, const N: usize> Flow<D, N> {
+    /// The books of the step solved last; volumes, momenta and forces are those of a slab of `depth` (m) in 2D.
+    ///
+    /// Every entry is an integral of its own, none is the remainder of the others: `boundary` is the residual of the
+    /// constrained rows, the tractions and fluxes of the outlets, and the traction ∮(1 − ε)(τ − p)n that the grains at
+    /// the boundary would else be given by it twice.
+    pub fn ledger(
+        &self,
+        step: Step,
+        depth: f64,
+        exchange: &Exchange<D>,
+        recovered: &[Recovered<D>],
+    ) -> FluidLedger {
+        let (density, state) = (self.properties.density, &self.state);
+        let (rows, _) = split::<D>(&self.work.rows);
+        let rule = self.work.rule;
+
+        let mut inertia = self.inertia(rule);
+        let mut boundary = Sum { value: self.constraints.sum_of_constrained(rows), scale: 0.0 };
+        for node in self.constraints.nodes() {
+            boundary.scale += rows[node.node as usize].iter().map(|force| force.abs()).sum::<f64>();
+        }
+        let (value, scale) =
+            self.outlets.force(density, &state.void_fraction, &self.work.convecting, &state.velocity);
+        boundary.add(value);
+        boundary.scale += scale;
+        let mut stress = Sum::ZERO;
+        if !recovered.is_empty() {
+            self.add_traction_on_solids(&mut boundary);
+            for (a, recovered) in recovered.iter().enumerate() {
+                let solids = (1.0 - state.void_fraction[a]) * self.mesh.measure()[a];
+                let [slope, viscous] = [&recovered.pressure_gradient, &recovered.stress_divergence];
+                stress.add(std::array::from_fn(|k| solids * (viscous[k] - slope[k])));
+            }
+        }
+        let (drag, explicit, exchanged) =
+            if exchange.is_silent() { ([0.0; D], [0.0; D], 0.0) } else { exchange.totals(&state.velocity) };
+        inertia.scale += boundary.scale + stress.scale + exchanged;
+
+        let impulse = |force: Vector<D>| in_space(&force).map(|force| force * depth * step.length);
+        FluidLedger {
+            volume: depth * linear::vector::dot(self.mesh.measure(), &state.void_fraction),
+            momentum: in_space(&inertia.momentum).map(|momentum| depth * momentum),
+            rate: impulse(inertia.rate),
+            body: impulse(inertia.body),
+            boundary: impulse(boundary.value),
+            drag: impulse(drag),
+            stress: impulse(stress.value),
+            explicit: impulse(explicit),
+            scale: depth * step.length * inertia.scale,
+            volume_defect: depth * step.length * self.volume_rate(rule),
+            kinetic_energy: depth * inertia.kinetic_energy,
+        }
+    }
+
+    fn inertia(&self, rule: TimeRule) -> Inertia<D> {
+        let (density, state) = (self.properties.density, &self.state);
+        let mut sum = Inertia { momentum: [0.0; D], rate: [0.0; D], body: [0.0; D], kinetic_energy: 0.0, scale: 0.0 };
+        for cell in 0..self.mesh.cells().len() {
+            let nodes = self.mesh.cell_nodes(cell);
+            let void = |field| PorousCell::new(&self.mesh, cell, &nodes, field).void_fraction;
+            let [new, old, older] =
+                [&state.void_fraction, &state.void_fraction_old, &state.void_fraction_older].map(|field| void(field));
+            let mass = density * self.mesh.volumes()[cell];
+            for (i, node) in nodes.map(|node| node as usize).into_iter().enumerate() {
+                for k in 0..D {
+                    let momentum = mass * new.first(i) * state.velocity[node][k];
+                    let history = mass
+                        * (rule.old() * old.first(i) * state.velocity_old[node][k]
+                            + rule.older * older.first(i) * state.velocity_older[node][k]);
+                    let body = mass * new.first(i) * self.acceleration[node][k];
+                    sum.momentum[k] += momentum;
+                    sum.rate[k] += rule.new * momentum + history;
+                    sum.body[k] += body;
+                    sum.scale += rule.new * momentum.abs() + history.abs() + body.abs();
+                }
+                for (j, &other) in nodes.iter().enumerate() {
+                    let other = &state.velocity[other as usize];
+                    sum.kinetic_energy += 0.5 * mass * new.second(i, j) * dot(&state.velocity[node], other);
+                }
+            }
+        }
+        sum
+    }
+
+    /// ∮(1 − ε)(τ − p I)·n over the whole boundary.
+    fn add_traction_on_solids(&self, sum: &mut Sum<D>) {
+        for face in self.mesh.boundary() {
+            let facet = Facet { area: self.mesh.area_vector(face) };
+            let nodes = face.points.map(|point| self.mesh.node_of(point) as usize);
+            let solids = nodes.map(|node| 1.0 - self.state.void_fraction[node]);
+            let pressure = facet.product(&solids, &nodes.map(|node| self.state.pressure[node]));
+            let mean = solids.iter().sum::<f64>() / D as f64;
+            let stress = self.cell_stress(face.cell as usize);
+            sum.add(std::array::from_fn(|k| mean * dot(&stress[k], &facet.area) - pressure[k]));
+        }
+    }
+
+    /// ∫ D_t ε + ∮ ε u·n (m³/s): zero but for the solver's tolerance, and where nothing can leave for the volume that
+    /// the grains displace without an outlet.
+    fn volume_rate(&self, rule: TimeRule) -> f64 {
+        let state = &self.state;
+        let outflow: f64 =
+            (0..self.mesh.node_count()).map(|i| self.work.matrices.divergence(i, &state.velocity)).sum();
+        let rate = |i: usize| {
+            rule.rate(state.void_fraction[i], state.void_fraction_old[i], state.void_fraction_older[i])
+        };
+        outflow + self.mesh.measure().iter().enumerate().map(|(i, measure)| measure * rate(i)).sum::<f64>()
+    }
+}
+
+struct Inertia<const D: usize> {
+    momentum: Vector<D>,
+    rate: Vector<D>,
+    body: Vector<D>,
+    kinetic_energy: f64,
+    scale: f64,
+}

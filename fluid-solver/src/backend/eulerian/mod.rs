@@ -1,0 +1,28 @@
+//! `eulerian`: stabilised finite elements on a fixed mesh.
+
+mod assembly;
+mod backend;
+mod balance;
+mod case;
+mod checkpoint;
+mod exchange;
+mod flow;
+mod grains;
+mod incidence;
+mod krylov;
+mod ledger;
+mod matrices;
+mod outlet;
+mod output;
+mod recovery;
+mod schur;
+mod state;
+mod time_rule;
+mod velocity_solver;
+
+pub use backend::{Eulerian, Response};
+pub use case::of;
+pub use exchange::{Exchange, Reaction};
+pub use flow::{Flow, Properties};
+pub use recovery::Recovered;
+pub use state::State;

@@ -1,0 +1,97 @@
+//! Fields recovered at the nodes, as grains sample them.
+
+use super::flow::Flow;
+use super::incidence::for_each_node;
+use crate::element::simplex::Vector;
+use crate::weak_form::{gradient, share, velocity_gradient, viscous_stress};
+
+/// What grains feel of the fluid, at the nodes; all *lumped* recoveries, |N_a|⁻¹ ∫ N_a ·.
+///
+/// With the weights w of the deposit, Σ_p V_p Σ_a w_pa G_a = ∫(1 − ε)∇p exactly: what ε∇p leaves to the grains is what
+/// they receive.
+#[derive(Debug, Clone, Copy)]
+pub struct Recovered<const D: usize> {
+    /// G_a = ∫ N_a ∇p/|N_a| (Pa/m).
+    pub pressure_gradient: Vector<D>,
+    /// D_a = (−∫ τ∇N_a + ∮ N_a τ·n)/|N_a| (Pa/m).
+    pub stress_divergence: Vector<D>,
+    /// Du/Dt = D_t u + u·∇u (m/s²).
+    pub acceleration: Vector<D>,
+    /// ∇×u (1/s).
+    pub vorticity: [f64; 3],
+}
+
+impl<const D: usize> Recovered<D> {
+    pub(super) const ZERO: Self = Self {
+        pressure_gradient: [0.0; D],
+        stress_divergence: [0.0; D],
+        acceleration: [0.0; D],
+        vorticity: [0.0; 3],
+    };
+}
+
+impl<const D: usize, const N: usize> Flow<D, N> {
+    /// Recovers the fields of the present iterate.
+    pub fn recover(&self, recovered: &mut Vec<Recovered<D>>) {
+        recovered.resize(self.mesh.node_count(), Recovered::ZERO);
+        let mut traction = vec![[0.0; D]; self.mesh.node_count()];
+        for face in self.mesh.boundary() {
+            let area = self.mesh.area_vector(face);
+            let stress = self.cell_stress(face.cell as usize);
+            for point in face.points {
+                let sum = &mut traction[self.mesh.node_of(point) as usize];
+                for k in 0..D {
+                    sum[k] += (0..D).map(|m| stress[k][m] * area[m]).sum::<f64>() / D as f64;
+                }
+            }
+        }
+        for_each_node(recovered, |node, value| *value = self.recover_at(node, &traction[node]));
+    }
+
+    fn recover_at(&self, node: usize, traction: &Vector<D>) -> Recovered<D> {
+        let mut sum = Recovered { stress_divergence: *traction, ..Recovered::ZERO };
+        for corner in self.incidence.of(node) {
+            let (cell, a) = (corner.cell as usize, corner.local as usize);
+            let nodes = self.mesh.cell_nodes(cell);
+            let (volume, gradients) = (self.mesh.volumes()[cell], &self.mesh.gradients()[cell]);
+            let velocity = nodes.map(|node| self.state.velocity[node as usize]);
+            let slope = velocity_gradient(gradients, &velocity);
+            let stress = viscous_stress(self.properties.viscosity, &slope);
+            let pressure = gradient(gradients, &nodes.map(|node| self.state.pressure[node as usize]));
+            // ⟨N_a u⟩
+            let mean: Vector<D> =
+                std::array::from_fn(|k| (0..N).map(|j| share::<N>(a, j) * velocity[j][k]).sum());
+            for k in 0..D {
+                sum.pressure_gradient[k] += volume / N as f64 * pressure[k];
+                for m in 0..D {
+                    sum.stress_divergence[k] -= volume * stress[k][m] * gradients[a][m];
+                    sum.acceleration[k] += volume * slope[k][m] * mean[m];
+                }
+            }
+            let curl = curl(&slope);
+            for k in 0..3 {
+                sum.vorticity[k] += volume / N as f64 * curl[k];
+            }
+        }
+        let measure = self.mesh.measure()[node];
+        let rate = &self.state.acceleration[node];
+        Recovered {
+            pressure_gradient: sum.pressure_gradient.map(|value| value / measure),
+            stress_divergence: sum.stress_divergence.map(|value| value / measure),
+            acceleration: std::array::from_fn(|k| rate[k] + sum.acceleration[k] / measure),
+            vorticity: sum.vorticity.map(|value| value / measure),
+        }
+    }
+
+    /// τ in a cell (Pa).
+    pub(super) fn cell_stress(&self, cell: usize) -> [Vector<D>; D] {
+        let velocity = self.mesh.cell_nodes(cell).map(|node| self.state.velocity[node as usize]);
+        viscous_stress(self.properties.viscosity, &velocity_gradient(&self.mesh.gradients()[cell], &velocity))
+    }
+}
+
+/// ∇×u from (∇u)_km = ∂u_k/∂x_m; along z in 2D.
+fn curl<const D: usize>(slope: &[Vector<D>; D]) -> [f64; 3] {
+    let at = |k: usize, m: usize| if k < D && m < D { slope[k][m] } else { 0.0 };
+    [at(2, 1) - at(1, 2), at(0, 2) - at(2, 0), at(1, 0) - at(0, 1)]
+}

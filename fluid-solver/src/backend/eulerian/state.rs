@@ -1,0 +1,76 @@
+//! What the flow is, and all that the next step depends on.
+
+use crate::element::simplex::Vector;
+
+/// Fields at the nodes: the present iterate, and the history that the time rule needs.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct State<const D: usize> {
+    /// u (m/s): the iterate at t_{n+1}, or uⁿ when the last step is history.
+    pub velocity: Vec<Vector<D>>,
+    /// uⁿ.
+    pub velocity_old: Vec<Vector<D>>,
+    /// uⁿ⁻¹.
+    pub velocity_older: Vec<Vector<D>>,
+    /// p (Pa).
+    pub pressure: Vec<f64>,
+    /// ε (-).
+    pub void_fraction: Vec<f64>,
+    /// εⁿ.
+    pub void_fraction_old: Vec<f64>,
+    /// εⁿ⁻¹.
+    pub void_fraction_older: Vec<f64>,
+    /// D_t u of the last solve (m/s²).
+    pub acceleration: Vec<Vector<D>>,
+    /// Length of the last step that is history (s); none before the first.
+    pub previous_step: Option<f64>,
+}
+
+impl<const D: usize> State<D> {
+    /// A state at rest without pressure and grains.
+    pub fn new(nodes: usize) -> Self {
+        Self {
+            velocity: vec![[0.0; D]; nodes],
+            velocity_old: vec![[0.0; D]; nodes],
+            velocity_older: vec![[0.0; D]; nodes],
+            pressure: vec![0.0; nodes],
+            void_fraction: vec![1.0; nodes],
+            void_fraction_old: vec![1.0; nodes],
+            void_fraction_older: vec![1.0; nodes],
+            acceleration: vec![[0.0; D]; nodes],
+            previous_step: None,
+        }
+    }
+
+    /// Becomes a copy, without allocation.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.velocity.copy_from_slice(&other.velocity);
+        self.velocity_old.copy_from_slice(&other.velocity_old);
+        self.velocity_older.copy_from_slice(&other.velocity_older);
+        self.pressure.copy_from_slice(&other.pressure);
+        self.void_fraction.copy_from_slice(&other.void_fraction);
+        self.void_fraction_old.copy_from_slice(&other.void_fraction_old);
+        self.void_fraction_older.copy_from_slice(&other.void_fraction_older);
+        self.acceleration.copy_from_slice(&other.acceleration);
+        self.previous_step = other.previous_step;
+    }
+
+    /// The iterate becomes history after a step of the given length (s).
+    pub fn commit(&mut self, step: f64) {
+        std::mem::swap(&mut self.velocity_older, &mut self.velocity_old);
+        self.velocity_old.copy_from_slice(&self.velocity);
+        std::mem::swap(&mut self.void_fraction_older, &mut self.void_fraction_old);
+        self.void_fraction_old.copy_from_slice(&self.void_fraction);
+        self.previous_step = Some(step);
+    }
+
+    /// Takes ε as that of tₙ: grains that came or went leave no rate of change behind.
+    pub fn reset_void_fraction(&mut self, void_fraction: &[f64]) {
+        for (older, (old, new)) in
+            self.void_fraction_older.iter_mut().zip(self.void_fraction_old.iter().zip(void_fraction))
+        {
+            *older += new - old;
+        }
+        self.void_fraction_old.copy_from_slice(void_fraction);
+        self.void_fraction.copy_from_slice(void_fraction);
+    }
+}

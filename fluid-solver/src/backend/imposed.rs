@@ -1,0 +1,200 @@
+//! `imposed`: a flow stated by expressions of x, y, z, t. It pushes grains and is not pushed: whatever holds
+//! the field as it is takes the grains' reactions.
+
+use super::{FluidBackend, PointValue, Solution, Step};
+use crate::error::FluidError;
+use case_io::checkpoint::{Checkpoint, CheckpointWriter};
+use case_io::document::{Document, Field};
+use interface::frames::{GrainRow, ReactionRow, SampleRow};
+use interface::ledger::FluidLedger;
+use interface::message::Surface;
+use std::f64::consts::PI;
+use std::path::{Path, PathBuf};
+
+/// The field and where the grains are.
+pub struct Imposed {
+    field: Field,
+    density: f64,
+    viscosity: f64,
+    dimension: usize,
+    depth: f64,
+    time: f64,
+    saved_time: f64,
+    grains: Vec<GrainRow>,
+    saved_grains: Vec<GrainRow>,
+}
+
+impl Imposed {
+    /// The field of a case; none if the case states none.
+    pub fn of(document: &Document) -> Option<Imposed> {
+        let fluid = document.fluid.as_ref()?;
+        Some(Imposed {
+            field: fluid.field.clone()?,
+            density: fluid.density.si(),
+            viscosity: fluid.viscosity.si(),
+            dimension: document.case.dimension.count(),
+            depth: document.case.depth(),
+            time: 0.0,
+            saved_time: 0.0,
+            grains: Vec::new(),
+            saved_grains: Vec::new(),
+        })
+    }
+
+    fn velocity(&self, point: [f64; 3], time: f64) -> [f64; 3] {
+        let component = |axis: usize| self.field.velocity.get(axis).map_or(0.0, |e| e.evaluate(point, time));
+        std::array::from_fn(component)
+    }
+
+    fn pressure(&self, point: [f64; 3], time: f64) -> f64 {
+        self.field.pressure.evaluate(point, time)
+    }
+
+    fn volume(&self, radius: f64) -> f64 {
+        match self.dimension {
+            2 => PI * radius.powi(2) * self.depth,
+            _ => 4.0 / 3.0 * PI * radius.powi(3),
+        }
+    }
+
+    /// Central differences over a length `h` that the rounding of a smooth field allows.
+    fn sample_at(&self, grain: &GrainRow) -> SampleRow {
+        let (x, t) = (grain.position, self.time);
+        let h = 1e-4 * grain.radius.max(1e-3);
+        let shifted = |axis: usize, by: f64| {
+            let mut point = x;
+            point[axis] += by;
+            point
+        };
+        let u = self.velocity(x, t);
+        let mut gradient = [[0.0; 3]; 3];
+        let mut laplacian = [0.0; 3];
+        let mut pressure_gradient = [0.0; 3];
+        for axis in 0..self.dimension {
+            let (ahead, behind) = (shifted(axis, h), shifted(axis, -h));
+            let (u_ahead, u_behind) = (self.velocity(ahead, t), self.velocity(behind, t));
+            for i in 0..3 {
+                gradient[i][axis] = (u_ahead[i] - u_behind[i]) / (2.0 * h);
+            }
+            // Second differences want a wider stencil: their rounding grows as 1/h².
+            let wide = 100.0 * h;
+            let (far, near) = (self.velocity(shifted(axis, wide), t), self.velocity(shifted(axis, -wide), t));
+            for i in 0..3 {
+                laplacian[i] += (far[i] - 2.0 * u[i] + near[i]) / (wide * wide);
+            }
+            pressure_gradient[axis] = (self.pressure(ahead, t) - self.pressure(behind, t)) / (2.0 * h);
+        }
+        let dt = 1e-6;
+        let (later, earlier) = (self.velocity(x, t + dt), self.velocity(x, t - dt));
+        let acceleration = std::array::from_fn(|i| {
+            (later[i] - earlier[i]) / (2.0 * dt) + (0..3).map(|j| u[j] * gradient[i][j]).sum::<f64>()
+        });
+        SampleRow {
+            velocity: u,
+            pressure_gradient,
+            viscous_stress_divergence: laplacian.map(|value| self.viscosity * value),
+            acceleration,
+            vorticity: [
+                gradient[2][1] - gradient[1][2],
+                gradient[0][2] - gradient[2][0],
+                gradient[1][0] - gradient[0][1],
+            ],
+            void_fraction: 1.0,
+            kernel_width: 2.0 * grain.radius,
+            own_share: 0.0,
+            density: self.density,
+            viscosity: self.viscosity,
+        }
+    }
+}
+
+impl FluidBackend for Imposed {
+    fn nodes(&self) -> u64 {
+        0
+    }
+
+    fn notes(&self) -> Vec<String> {
+        vec!["the flow is stated by expressions: no mesh, no limit of the window".to_string()]
+    }
+
+    fn surface(&self) -> Option<Surface> {
+        None
+    }
+
+    fn largest_step(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn populate(&mut self, time: f64, grains: &[GrainRow]) -> Result<(), FluidError> {
+        self.time = time;
+        self.grains.clear();
+        self.grains.extend_from_slice(grains);
+        Ok(())
+    }
+
+    fn save(&mut self) {
+        self.saved_time = self.time;
+        self.saved_grains.clone_from(&self.grains);
+    }
+
+    fn restore(&mut self) {
+        self.time = self.saved_time;
+        self.grains.clone_from(&self.saved_grains);
+    }
+
+    fn project(&mut self, step: Step, grains: &[GrainRow]) -> Result<(), FluidError> {
+        self.populate(step.end(), grains)
+    }
+
+    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Solution, FluidError> {
+        let mut ledger = FluidLedger::default();
+        for (grain, reaction) in self.grains.iter().zip(reactions) {
+            let sample = self.sample_at(grain);
+            let volume = self.volume(grain.radius);
+            for i in 0..3 {
+                let drag = reaction.exchange_coefficient * (sample.velocity[i] - reaction.target_velocity[i]);
+                let stress = volume * (sample.viscous_stress_divergence[i] - sample.pressure_gradient[i]);
+                let [drag, stress, explicit] =
+                    [drag, stress, reaction.force[i]].map(|force| force * step.length);
+                ledger.drag[i] += drag;
+                ledger.stress[i] += stress;
+                ledger.explicit[i] += explicit;
+                // The field stays as stated: its holder takes what the grains give.
+                ledger.boundary[i] += drag + stress - explicit;
+                ledger.scale += drag.abs() + stress.abs() + explicit.abs();
+            }
+        }
+        Ok(Solution { ledger, ..Solution::default() })
+    }
+
+    fn prepare_samples(&mut self) {}
+
+    fn sample(&self, row: usize) -> SampleRow {
+        self.sample_at(&self.grains[row])
+    }
+
+    fn commit(&mut self, step: Step) {
+        self.time = step.end();
+    }
+
+    fn at(&self, time: f64, point: [f64; 3]) -> Option<PointValue> {
+        let velocity = self.velocity(point, time);
+        Some(PointValue { velocity, pressure: self.pressure(point, time), void_fraction: 1.0 })
+    }
+
+    fn statistics(&self, _time: f64) -> Vec<(&'static str, f64)> {
+        Vec::new()
+    }
+
+    fn write_frame(&self, _stem: &Path, _compress: bool) -> Result<Option<PathBuf>, FluidError> {
+        Ok(None)
+    }
+
+    fn save_checkpoint<'a>(&'a self, writer: CheckpointWriter<'a>) -> CheckpointWriter<'a> {
+        writer
+    }
+
+    fn load_checkpoint(&mut self, _checkpoint: &Checkpoint) -> Result<(), FluidError> {
+        Ok(())
+    }
+}

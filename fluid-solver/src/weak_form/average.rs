@@ -1,0 +1,77 @@
+//! Averages over a simplex of products of shape functions and a linear field.
+
+/// ⟨N_a N_b⟩ = (1 + δ_ab) / (N (N + 1)), N = D + 1.
+pub fn share<const N: usize>(a: usize, b: usize) -> f64 {
+    let same = if a == b { 2.0 } else { 1.0 };
+    same / (N * (N + 1)) as f64
+}
+
+/// A linear field f on a simplex, ready for averages ⟨·⟩ = ∫·/V.
+///
+/// From ∫ Π λ_k^{e_k} = V D! Π e_k! / (D + Σ e_k)!.
+#[derive(Debug, Clone, Copy)]
+pub struct Average<const N: usize> {
+    /// Values f_k at the vertices.
+    pub values: [f64; N],
+    /// Σ_k f_k.
+    sum: f64,
+}
+
+impl<const N: usize> Average<N> {
+    /// The field with these values at the vertices.
+    pub fn new(values: [f64; N]) -> Self {
+        Self { values, sum: values.iter().sum() }
+    }
+
+    /// ⟨f⟩ = Σ f_k / N.
+    pub fn mean(&self) -> f64 {
+        self.sum / N as f64
+    }
+
+    /// ⟨N_a f⟩ = (Σ f_k + f_a) / (N (N + 1)).
+    pub fn first(&self, a: usize) -> f64 {
+        (self.sum + self.values[a]) / (N * (N + 1)) as f64
+    }
+
+    /// ⟨N_a N_b f⟩ = (1 + δ_ab)(Σ f_k + f_a + f_b) / (N (N + 1) (N + 2)).
+    pub fn second(&self, a: usize, b: usize) -> f64 {
+        let same = if a == b { 2.0 } else { 1.0 };
+        same * (self.sum + self.values[a] + self.values[b]) / (N * (N + 1) * (N + 2)) as f64
+    }
+
+    /// ⟨f²⟩ = ((Σ f_k)² + Σ f_k²) / (N (N + 1)).
+    pub fn square(&self) -> f64 {
+        let squares: f64 = self.values.iter().map(|f| f * f).sum();
+        (self.sum * self.sum + squares) / (N * (N + 1)) as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::quadrature::degree_5;
+
+    fn agrees<const D: usize, const N: usize>(values: [f64; N]) {
+        let average = Average::new(values);
+        let quadrature = |f: &dyn Fn(&[f64; N]) -> f64| {
+            degree_5::<D, N>().iter().map(|(point, weight)| weight * f(point)).sum::<f64>()
+        };
+        let field = |point: &[f64; N]| (0..N).map(|k| point[k] * values[k]).sum::<f64>();
+        let close = |exact: f64, found: f64| assert!((exact - found).abs() < 1e-14, "{exact} {found}");
+        close(quadrature(&|x| field(x)), average.mean());
+        close(quadrature(&|x| field(x).powi(2)), average.square());
+        for a in 0..N {
+            close(quadrature(&|x| x[a] * field(x)), average.first(a));
+            for b in 0..N {
+                close(quadrature(&|x| x[a] * x[b] * field(x)), average.second(a, b));
+                close(quadrature(&|x| x[a] * x[b]), share::<N>(a, b));
+            }
+        }
+    }
+
+    #[test]
+    fn closed_forms_are_the_integrals() {
+        agrees::<2, 3>([0.4, 1.0, 0.7]);
+        agrees::<3, 4>([0.4, 1.0, 0.7, -0.3]);
+    }
+}

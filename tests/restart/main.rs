@@ -1,0 +1,57 @@
+//! Stop + resume gives the bits of running through, whatever stopped the run.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+use std::time::Duration;
+use support::{Folder, Live, assert_same_results, case, coupler, run, signal, stderr};
+
+fn one_run() -> String {
+    let text = std::fs::read_to_string(case("settling-ode").join("case.toml")).unwrap();
+    text.split("[[run]]").next().unwrap().to_string()
+}
+
+const CHANGES: [&str; 3] = ["output.series=\"1 ms\"", "output.restart=\"5 ms\"", "output.frames=\"2 ms\""];
+
+#[test]
+fn a_run_killed_and_resumed_leaves_the_bytes_of_a_run_through() {
+    let folder = Folder::new();
+    let case = folder.write("case/case.toml", &one_run());
+    let through = run(&case, &folder.join("through"), &CHANGES, &[]);
+    assert!(through.status.success(), "{}", stderr(&through));
+
+    let hold = ["--hold", "fluid-solver:1177:advance"];
+    let mut live = Live::start(&case, &folder.join("killed"), &CHANGES, &hold);
+    live.wait_held();
+    let solvers = live.solvers();
+    for pid in solvers.iter().map(|(pid, _)| *pid).chain([live.child.id()]) {
+        signal(pid, "KILL");
+    }
+    live.exit_code(Duration::from_secs(5));
+    let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
+    assert!(resumed.status.success(), "{}", stderr(&resumed));
+    assert_same_results(&folder.join("through"), &folder.join("killed"));
+}
+
+#[test]
+fn a_changed_case_is_not_resumed() {
+    let folder = Folder::new();
+    let case = folder.write("case/case.toml", &one_run());
+    let out = folder.join("out");
+    assert!(run(&case, &out, &["time.end=\"20 ms\"", "output.restart=\"5 ms\""], &[]).status.success());
+    folder.write("case/case.toml", &one_run().replace("2 mm", "3 mm"));
+    let resumed = coupler(&["resume", out.to_str().unwrap()]);
+    assert_eq!(resumed.status.code(), Some(2));
+    assert!(stderr(&resumed).contains("has changed since the run"), "{}", stderr(&resumed));
+}
+
+#[test]
+fn a_run_without_a_restart_point_says_so() {
+    let folder = Folder::new();
+    let case = folder.write("case/case.toml", &one_run());
+    let out = folder.join("out");
+    assert!(run(&case, &out, &["time.end=\"5 ms\"", "output.restart=\"none\""], &[]).status.success());
+    let resumed = coupler(&["resume", out.to_str().unwrap()]);
+    assert_eq!(resumed.status.code(), Some(5));
+    assert!(stderr(&resumed).contains("no complete restart point"), "{}", stderr(&resumed));
+}
