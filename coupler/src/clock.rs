@@ -13,10 +13,11 @@ impl Due {
         self.interval.map_or(end, |interval| ((self.count + 1) as f64 * interval).min(end))
     }
 
-    /// Counts what is due at `time`; the last time may fall at the end without being a multiple.
-    fn take(&mut self, time: f64, end: f64) -> bool {
-        let is_left = self.interval.is_some_and(|interval| self.count as f64 * interval < end);
-        let is_due = is_left && time >= self.next(end);
+    /// Counts what is due at `time` or within `slack` after it; the last time may fall at the end without being a
+    /// multiple.
+    fn take(&mut self, time: f64, slack: f64, end: f64) -> bool {
+        let is_left = self.interval.is_some_and(|interval| self.count as f64 * interval + slack < end);
+        let is_due = is_left && time + slack >= self.next(end);
         if is_due {
             self.count += 1;
         }
@@ -81,9 +82,9 @@ impl Clock {
     /// Goes on after a window that a restart point closed.
     pub fn resume(&mut self, time: f64, window: u64) {
         (self.time, self.window) = (time, window + 1);
-        let end = self.end;
+        let (slack, end) = (self.slack(), self.end);
         for due in [&mut self.series, &mut self.frames, &mut self.restart] {
-            while due.take(time, end) {}
+            while due.take(time, slack, end) {}
         }
     }
 
@@ -112,8 +113,15 @@ impl Clock {
         if largest < self.smallest || step.is_nan() { Err(largest) } else { Ok(step) }
     }
 
+    /// Times this near are the same: multiples of different intervals differ by round-off.
+    fn slack(&self) -> f64 {
+        1e-6 * self.nominal
+    }
+
     fn next_stop(&self) -> f64 {
-        [self.series, self.frames, self.restart].iter().fold(self.end, |stop, due| stop.min(due.next(self.end)))
+        let dues = [self.series, self.frames, self.restart];
+        let stop = dues.iter().fold(self.end, |stop, due| stop.min(due.next(self.end)));
+        if stop + self.slack() < self.end { stop } else { self.end }
     }
 
     /// Where a window of this Δt ends: exactly at an output if it is the last before it.
@@ -131,10 +139,11 @@ impl Clock {
     pub fn close(&mut self, time: f64) -> Outputs {
         self.time = time;
         self.window += 1;
+        let (slack, end) = (self.slack(), self.end);
         Outputs {
-            series: self.series.take(time, self.end),
-            frame: self.frames.take(time, self.end).then_some(self.frames.count),
-            restart: self.restart.take(time, self.end),
+            series: self.series.take(time, slack, end),
+            frame: self.frames.take(time, slack, end).then_some(self.frames.count),
+            restart: self.restart.take(time, slack, end),
         }
     }
 }
@@ -165,6 +174,18 @@ mod tests {
         assert_eq!(rows[2], 3.0 * 0.1);
         assert_eq!(frames, [(1, 0.25), (2, 0.5), (3, 0.75), (4, 1.0)]);
         assert_eq!(clock.time, 1.0);
+    }
+
+    #[test]
+    fn outputs_that_fall_together_up_to_round_off_share_a_window() {
+        let intervals = Intervals { series: 0.01, frames: Some(0.1), restart: Some(0.3) };
+        let mut clock = Clock::new(0.9, 2e-3, 1e-6, intervals);
+        while !clock.is_over() {
+            let step = clock.offer(f64::INFINITY).unwrap();
+            assert!((step - 2e-3).abs() < 1e-9, "{step} at {}", clock.time);
+            clock.close(clock.after(step));
+        }
+        assert_eq!(clock.window, 450);
     }
 
     #[test]

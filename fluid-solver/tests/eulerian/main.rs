@@ -6,4 +6,5 @@ mod exact_flows;
 mod hydrostatics;
 mod inlets;
 mod manufactured;
+mod scratch;
 mod support;
