@@ -270,11 +270,10 @@ fn end(
         Some(CouplerError::Participant { who: failed, .. }) if *failed == who.name() => {}
         _ if child.status().is_some() => {}
         _ => {
-            // Only the one that is asked counts: the other may be dead already.
-            session.ends.dem.watch_peers(&[who]);
-            session.ends.fluid.watch_peers(&[who]);
-            if let Ok(usage) = session.stop(who, reason) {
-                story.usages.push((who, usage));
+            match session.stop(who, reason) {
+                Ok(usage) => story.usages.push((who, usage)),
+                // Busy, held or dying: what it has not committed is lost anyway.
+                Err(_) => child.kill(),
             }
         }
     }

@@ -8,6 +8,7 @@ use interface::message::{
 };
 use interface::run::Who;
 use interface::transport::{CommandSender, CouplerEnds, FrameView, Stamp};
+use std::time::Duration;
 
 /// The participants of a run.
 pub struct Session {
@@ -190,12 +191,15 @@ impl Session {
         Ok(answers)
     }
 
-    /// Ends a participant.
+    /// Ends a participant, which has little to do for it.
     ///
     /// # Errors
-    /// It is gone or silent.
+    /// It is gone, or busy with something longer.
     pub fn stop(&mut self, who: Who, reason: &str) -> Result<Usage, CouplerError> {
-        match self.ask(who, &Command::Stop { reason: reason.to_string() })? {
+        const PATIENCE: Duration = Duration::from_secs(2);
+        // Only the one that is asked counts: the other may be dead already.
+        self.wire(who).watch_peers(&[who]);
+        match self.wire(who).ask_within(&Command::Stop { reason: reason.to_string() }, PATIENCE)? {
             Report::Ended(usage) => Ok(usage),
             other => Err(self.wire(who).unexpected("stop", &other).into()),
         }

@@ -37,7 +37,7 @@ fn viscous_pipe() {
 #[test]
 #[ignore]
 fn frozen_bed() {
-    for (n, ratio) in [(10, 1.0), (10, 10.0), (10, 100.0), (10,1e3), (20, 1.0), (20,10.0), (20, 100.0)] {
+    for (n, ratio) in [(10, 10.0), (10, 100.0), (10, 1000.0), (20,10.0), (20, 100.0)] {
     let properties = Properties { density: 1000.0, viscosity: 1e-3, gravity: [0.0,0.0,-9.81], tolerance: 1e-8 };
     let mesh = box_mesh::<3, 4>([0.0; 3], [0.1; 3], [n; 3], [false; 3], Some(0.1));
     let flow = flow(mesh, properties, |name| match name { "z-min" => given(|_, _| [0.0, 0.0,0.02]), "z-max" => Condition::Outlet{pressure:0.0}, _ => Condition::Slip });

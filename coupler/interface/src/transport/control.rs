@@ -74,6 +74,14 @@ impl CommandSender {
     /// # Errors
     /// A dead or frozen peer, an overdue answer; a participant's failure as [`InterfaceError::Participant`].
     pub fn ask(&mut self, command: &Command) -> Result<Report, InterfaceError> {
+        self.ask_within(command, self.watch.deadlines.answer)
+    }
+
+    /// As [`CommandSender::ask`], with a deadline for the answer of its own.
+    ///
+    /// # Errors
+    /// As [`CommandSender::ask`].
+    pub fn ask_within(&mut self, command: &Command, deadline: Duration) -> Result<Report, InterfaceError> {
         match &mut self.sender {
             Sender::SharedMemory(client) => client.send(command)?,
             Sender::InProcess(client) => client.send(command)?,
@@ -95,7 +103,7 @@ impl CommandSender {
                 None => self.watch.check()?,
             }
             let waited = self.watch.now().saturating_sub(start);
-            if waited > self.watch.deadlines.answer {
+            if waited > deadline {
                 let seconds = waited.as_secs_f64();
                 return Err(InterfaceError::AnswerOverdue {
                     who: self.who,

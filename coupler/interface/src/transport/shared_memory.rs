@@ -11,7 +11,7 @@ use crate::message::{Command, Report, decode, encode};
 use crate::pulse::{Abandon, Pulse};
 use crate::run::{RunId, Who, require_space};
 use iceoryx2::port::client::Client as IoxClient;
-use iceoryx2::port::listener::Listener;
+use iceoryx2::port::listener::{Listener, ListenerWaitError};
 use iceoryx2::port::notifier::Notifier;
 use iceoryx2::port::publisher::Publisher;
 use iceoryx2::port::server::Server as IoxServer;
@@ -234,10 +234,11 @@ impl Bell {
     }
 
     fn wait(&self, wait: Duration) -> Result<(), InterfaceError> {
-        self.listener
-            .timed_wait(drop, wait)
-            .map(drop)
-            .map_err(|error| transport("waiting for the peer", format!("{error:?}"), self.run))
+        match self.listener.timed_wait(drop, wait) {
+            // A signal, such as the one that wakes a suspended program, ends the wait early.
+            Ok(_) | Err(ListenerWaitError::InterruptSignal) => Ok(()),
+            Err(error) => Err(transport("waiting for the peer", format!("{error:?}"), self.run)),
+        }
     }
 }
 

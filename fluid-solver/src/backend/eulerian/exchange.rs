@@ -103,6 +103,17 @@ impl<const D: usize> Exchange<D> {
         deposit_scalar.apply(&self.weights, coefficients, nodal.as_chunks_mut().0);
     }
 
+    /// Σ_p w_pa² β_e: the diagonal of the drag (kg/s), small against the lumped one for kernels of many nodes.
+    pub fn diagonal(&self, nodal: &mut [f64]) {
+        nodal.fill(0.0);
+        for (p, reaction) in self.reactions.iter().enumerate() {
+            let (nodes, weights) = self.weights.row(p);
+            for (&node, weight) in nodes.iter().zip(weights) {
+                nodal[node as usize] += weight * weight * reaction.coefficient;
+            }
+        }
+    }
+
     /// Sums over the grains in the fluid: drag Σβ_e(u − v*), explicit force ΣF, and Σ of the sizes of both (N).
     pub fn totals(&self, velocity: &[Vector<D>]) -> (Vector<D>, Vector<D>, f64) {
         let at_grains = &mut self.scratch.borrow_mut().at_grains;

@@ -4,13 +4,14 @@ use super::assembly::{AssemblyScratch, Ingredients};
 use super::balance::balance_momentum;
 use super::exchange::{Exchange, Part};
 use super::incidence::Incidence;
-use super::krylov::{StepOperator, StepPreconditioner, split, split_mut};
+use super::krylov::{StepOperator, StepPreconditioner, VelocitySolver, split, split_mut};
 use super::matrices::{Matrices, ProductScratch};
 use super::outlet::Outlets;
 use super::schur::Schur;
 use super::state::State;
 use super::time_rule::TimeRule;
-use super::velocity_solver::VelocitySweep;
+use super::velocity_multigrid::VelocityMultigrid;
+use super::velocity_sweep::VelocitySweep;
 use crate::backend::Step;
 use crate::boundary::{Boundaries, Constraints};
 use crate::element::simplex::{Vector, difference, dot};
@@ -21,7 +22,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 /// Iterations kept by the Krylov method before it restarts.
-const RESTART: usize = 50;
+const RESTART: usize = 100;
 /// Iterations after which a step is given up.
 const MOST_ITERATIONS: usize = 600;
 /// The residual cannot fall below this share of the terms it is made of.
@@ -73,8 +74,10 @@ pub(super) struct Workspace<const D: usize> {
     pub rule: TimeRule,
     assembly: AssemblyScratch<D>,
     sweep: VelocitySweep<D>,
+    multigrid: VelocityMultigrid,
     krylov: FlexibleGmres,
     drag: Vec<f64>,
+    drag_diagonal: Vec<f64>,
     drag_density: Vec<f64>,
     inertia: Vec<f64>,
     mobility: Vec<f64>,
@@ -113,8 +116,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             rule: TimeRule::new(1.0, None),
             assembly: AssemblyScratch::default(),
             sweep: VelocitySweep::default(),
+            multigrid: VelocityMultigrid::new(pattern.clone()),
             krylov: FlexibleGmres::new((D + 1) * nodes, RESTART),
             drag: vec![0.0; nodes],
+            drag_diagonal: vec![0.0; nodes],
             drag_density: vec![0.0; nodes],
             inertia: vec![0.0; nodes],
             mobility: vec![0.0; nodes],
@@ -227,8 +232,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let work = &mut self.work;
         if exchange.is_silent() {
             work.drag.fill(0.0);
+            work.drag_diagonal.fill(0.0);
         } else {
             exchange.lumped(&mut work.drag);
+            exchange.diagonal(&mut work.drag_diagonal);
         }
         for (i, density) in work.drag_density.iter_mut().enumerate() {
             *density = work.drag[i] / self.mesh.measure()[i];
@@ -262,7 +269,12 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             work.mobility[i] = void * void / resistance;
             work.viscous[i] = 4.0 / 3.0 * viscosity / (void * measure);
         }
-        work.sweep.refresh(&work.matrices.momentum, &work.drag, &self.constraints)?;
+        let (momentum, drag) = (&work.matrices.momentum, &work.drag_diagonal);
+        if viscous_number > VISCOUS {
+            work.multigrid.refresh(momentum, drag, &self.constraints)?;
+        } else {
+            work.sweep.refresh(momentum, drag, &self.constraints)?;
+        }
         work.schur.refresh(&self.mesh, &self.incidence, &self.outlets, &work.mobility)
     }
 

@@ -4,7 +4,8 @@ use super::exchange::{Exchange, Part};
 use super::incidence::for_each_node;
 use super::matrices::{Matrices, ProductScratch};
 use super::schur::Schur;
-use super::velocity_solver::VelocitySweep;
+use super::velocity_multigrid::VelocityMultigrid;
+use super::velocity_sweep::VelocitySweep;
 use crate::boundary::Constraints;
 use crate::element::simplex::Vector;
 use linear::{LinearOperator, Preconditioner, dense, vector};
@@ -68,13 +69,21 @@ pub fn split_mut<const D: usize>(x: &mut [f64]) -> (&mut [Vector<D>], &mut [f64]
     (dense::by_node_mut(u), p)
 }
 
+/// What stands for the inverse of the velocity block.
+pub enum VelocitySolver<'a, const D: usize> {
+    /// Inertia prevails.
+    Sweep(&'a VelocitySweep<D>),
+    /// Viscosity prevails.
+    Multigrid(&'a mut VelocityMultigrid),
+}
+
 /// One step of an incomplete block factorisation: velocity, Schur complement, correction of the velocity.
 ///
 /// u* = Â⁻¹ r_u, p = Ŝ⁻¹(r_p − Gᵀu*), u = u* + Δ⁻¹ G p with Δ the lumped inertia and drag.
 pub struct StepPreconditioner<'a, const D: usize> {
     pub matrices: &'a Matrices<D>,
     pub constraints: &'a Constraints<D>,
-    pub velocity: &'a VelocitySweep<D>,
+    pub velocity: VelocitySolver<'a, D>,
     pub schur: &'a mut Schur,
     /// (4/3) μ/(ε_a|N_a|).
     pub viscous: &'a [f64],
@@ -89,7 +98,10 @@ pub struct StepPreconditioner<'a, const D: usize> {
 impl<const D: usize> Preconditioner for StepPreconditioner<'_, D> {
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         let ((r_u, r_p), (u, p)) = (split::<D>(r), split_mut::<D>(z));
-        self.velocity.apply(&self.matrices.momentum, r_u, u);
+        match &mut self.velocity {
+            VelocitySolver::Sweep(sweep) => sweep.apply(&self.matrices.momentum, r_u, u),
+            VelocitySolver::Multigrid(multigrid) => multigrid.apply(self.constraints, r_u, u),
+        }
         self.scratch.resize(r_p.len(), 0.0);
         let (matrices, scale) = (self.matrices, self.scale);
         for_each_node(self.scratch, |i, value| *value = r_p[i] / scale - matrices.divergence(i, u));

@@ -18,7 +18,8 @@ mod recovery;
 mod schur;
 mod state;
 mod time_rule;
-mod velocity_solver;
+mod velocity_multigrid;
+mod velocity_sweep;
 
 pub use backend::{Eulerian, Response};
 pub use case::of;

@@ -1,4 +1,4 @@
-//! Approximate inverse of the velocity block A + WᵀβW.
+//! Gauss–Seidel sweeps for the velocity block A + WᵀβW.
 
 use super::incidence::ROWS;
 use crate::boundary::Constraints;
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 /// One forward and one backward block Gauss–Seidel sweep, each chunk of rows on its own.
 ///
-/// The drag enters by its lumped diagonal. Constrained components stay zero.
+/// The drag enters by its diagonal. Constrained components stay zero.
 #[derive(Debug, Default)]
 pub struct VelocitySweep<const D: usize> {
     inverse: Vec<Block<D>>,
