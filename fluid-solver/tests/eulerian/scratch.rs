@@ -24,20 +24,20 @@ fn cavity_speed() {
 #[test]
 #[ignore]
 fn viscous_pipe() {
-    for (rings, dt) in [(5, 1e-3), (5,1e-2),(5, 1e-1), (5,1e3), (10, 1e-2), (10, 1e-1), (10, 1e3)] {
-    let properties = Properties { density: 1000.0, viscosity: 0.01, gravity: [0.0; 3], tolerance: 1e-8 };
+    for (rings, dt) in [(5, 1e-3), (5,1e-1),(10, 1e-4), (10, 1e-3),(10,1e-1)] {
+    let properties = Properties { density: 1000.0, viscosity: 10.0, gravity: [0.0; 3], tolerance: 1e-8 };
     let mesh = Pipe { radius: 0.01, length: 0.04, rings, layers: rings*3 }.generate().unwrap();
     let mut flow = flow(mesh, properties, |name| match name { "inlet" => Condition::Inlet(Inflow::Speed{mean:0.02, profile: case_io::document::Profile::Parabolic}), "outlet" => Condition::Outlet{pressure:0.0}, _ => Condition::NoSlip });
     let t = Instant::now();
     let it = advance(&mut flow, 0.0, dt, 3, |_, _| ());
     let h = 0.01/rings as f64;
-    println!("rings {rings} dt {dt} visc number {:.2e}: {:?} its/step {}", 0.01*dt/(1000.0*h*h), t.elapsed()/3, it/3);
+    println!("rings {rings} dt {dt} visc number {:.2e}: {:?} its/step {}", 10.0*dt/(1000.0*h*h), t.elapsed()/3, it/3);
     }
 }
 #[test]
 #[ignore]
 fn frozen_bed() {
-    for (n, ratio) in [(10, 10.0), (10, 100.0), (10, 1000.0), (20,10.0), (20, 100.0)] {
+    for (n, ratio) in [(10, 10.0), (10, 100.0), (10, 1000.0), (10, 1e4)] {
     let properties = Properties { density: 1000.0, viscosity: 1e-3, gravity: [0.0,0.0,-9.81], tolerance: 1e-8 };
     let mesh = box_mesh::<3, 4>([0.0; 3], [0.1; 3], [n; 3], [false; 3], Some(0.1));
     let flow = flow(mesh, properties, |name| match name { "z-min" => given(|_, _| [0.0, 0.0,0.02]), "z-max" => Condition::Outlet{pressure:0.0}, _ => Condition::Slip });

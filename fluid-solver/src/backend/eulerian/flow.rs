@@ -21,10 +21,13 @@ use linear::{FlexibleGmres, Pattern, Stopping, Verdict, vector};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Iterations kept by the Krylov method before it restarts.
-const RESTART: usize = 100;
+/// Numbers that the bases of the Krylov method may hold before it restarts, and the range of iterations kept.
+const BASES: usize = 40_000_000;
+const RESTART: std::ops::RangeInclusive<usize> = 50..=400;
 /// Iterations after which a step is given up.
 const MOST_ITERATIONS: usize = 600;
+/// Above this μ/(a₀ρh²) the velocity is preconditioned by multigrid.
+const VISCOUS: f64 = 5.0;
 /// The residual cannot fall below this share of the terms it is made of.
 const ROUND_OFF: f64 = 1e-15;
 
@@ -84,7 +87,8 @@ pub(super) struct Workspace<const D: usize> {
     viscous: Vec<f64>,
     right: Vec<f64>,
     increment: Vec<f64>,
-    schur_right: Vec<f64>,
+    volumes: Vec<f64>,
+    forces: Vec<Vector<D>>,
     product: ProductScratch<D>,
 }
 
@@ -109,24 +113,26 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             *p = pressure + dot(&weight, &difference(x, &origin));
         }
         let enclosed = boundaries.enclosed();
+        let unknowns = (D + 1) * nodes;
         let work = Workspace {
             schur: Schur::new(pattern.clone(), enclosed),
             convecting: vec![[0.0; D]; nodes],
-            rows: vec![0.0; (D + 1) * nodes],
+            rows: vec![0.0; unknowns],
             rule: TimeRule::new(1.0, None),
             assembly: AssemblyScratch::default(),
             sweep: VelocitySweep::default(),
             multigrid: VelocityMultigrid::new(pattern.clone()),
-            krylov: FlexibleGmres::new((D + 1) * nodes, RESTART),
+            krylov: FlexibleGmres::new(unknowns, (BASES / (2 * unknowns)).clamp(*RESTART.start(), *RESTART.end())),
             drag: vec![0.0; nodes],
             drag_diagonal: vec![0.0; nodes],
             drag_density: vec![0.0; nodes],
             inertia: vec![0.0; nodes],
             mobility: vec![0.0; nodes],
             viscous: vec![0.0; nodes],
-            right: vec![0.0; (D + 1) * nodes],
-            increment: vec![0.0; (D + 1) * nodes],
-            schur_right: Vec::new(),
+            right: vec![0.0; unknowns],
+            increment: vec![0.0; unknowns],
+            volumes: Vec::new(),
+            forces: Vec::new(),
             product: ProductScratch::default(),
             matrices: Matrices::zeros(pattern.clone()),
         };
@@ -256,8 +262,21 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         ingredients.assemble(&mut work.assembly, &mut work.matrices);
     }
 
+    /// Nodal spacing (m).
+    fn spacing(&self) -> f64 {
+        let measure = self.mesh.measure();
+        (vector::sum(measure) / measure.len() as f64).powf(1.0 / D as f64)
+    }
+
+    /// Whether viscosity couples more than the next nodes: μ/(a₀ρh²).
+    fn is_viscous(&self, rule: TimeRule) -> bool {
+        let Properties { density, viscosity, .. } = self.properties;
+        viscosity > VISCOUS * rule.new * density * self.spacing().powi(2)
+    }
+
     fn refresh_preconditioner(&mut self, rule: TimeRule) -> Result<(), linear::Error> {
         let Properties { density, viscosity, .. } = self.properties;
+        let viscous = self.is_viscous(rule);
         let work = &mut self.work;
         let diagonal = work.matrices.pattern.diagonal_slots()?;
         for (i, &slot) in diagonal.iter().enumerate() {
@@ -270,7 +289,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             work.viscous[i] = 4.0 / 3.0 * viscosity / (void * measure);
         }
         let (momentum, drag) = (&work.matrices.momentum, &work.drag_diagonal);
-        if viscous_number > VISCOUS {
+        if viscous {
             work.multigrid.refresh(momentum, drag, &self.constraints)?;
         } else {
             work.sweep.refresh(momentum, drag, &self.constraints)?;
@@ -282,17 +301,17 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     fn improve(&mut self, rule: TimeRule, step: Step, exchange: &Exchange<D>) -> Result<u64, FluidError> {
         let measure = self.mesh.measure();
         let total: f64 = vector::sum(measure);
-        let size = (total / measure.len() as f64).powf(1.0 / D as f64);
+        let (spacing, is_viscous) = (self.spacing(), self.is_viscous(rule));
         let resistance = rule.new * self.properties.density + vector::sum(&self.work.drag) / total;
         let (inertia, round_off) = (self.inertia_scale(), self.round_off());
-        let Workspace { matrices, schur, sweep, krylov, viscous, inertia: lumped, right, increment, schur_right, rows, product, .. } =
+        let Workspace { matrices, schur, sweep, multigrid, krylov, viscous, inertia: lumped, right, increment, volumes, forces, rows, product, .. } =
             &mut self.work;
         let operator = StepOperator {
             matrices,
             exchange,
             constraints: &self.constraints,
             measure,
-            scale: resistance * size,
+            scale: resistance * spacing,
             enclosed: self.enclosed,
             scratch: RefCell::new(product),
         };
@@ -308,14 +327,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let mut preconditioner = StepPreconditioner {
             matrices,
             constraints: &self.constraints,
-            velocity: sweep,
+            velocity: if is_viscous { VelocitySolver::Multigrid(multigrid) } else { VelocitySolver::Sweep(sweep) },
             schur,
             viscous,
             inertia: lumped,
             measure,
             scale: operator.scale,
             enclosed: self.enclosed,
-            scratch: schur_right,
+            volumes,
+            forces,
         };
         increment.fill(0.0);
         let stopping = Stopping { relative: 0.0, absolute: target, iterations: MOST_ITERATIONS };

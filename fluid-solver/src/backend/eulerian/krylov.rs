@@ -77,9 +77,10 @@ pub enum VelocitySolver<'a, const D: usize> {
     Multigrid(&'a mut VelocityMultigrid),
 }
 
-/// One step of an incomplete block factorisation: velocity, Schur complement, correction of the velocity.
+/// An incomplete block factorisation.
 ///
-/// u* = Â⁻¹ r_u, p = Ŝ⁻¹(r_p − Gᵀu*), u = u* + Δ⁻¹ G p with Δ the lumped inertia and drag.
+/// Where inertia prevails u* = Â⁻¹ r_u, p = Ŝ⁻¹(r_p − Gᵀu*), u = u* + Δ⁻¹ G p, with Δ the lumped inertia and drag and
+/// Ŝ ≈ GᵀΔ⁻¹G. Where viscosity does, p = Ŝ⁻¹ r_p, u = Â⁻¹(r_u + G p): no diagonal stands for a Laplacian there.
 pub struct StepPreconditioner<'a, const D: usize> {
     pub matrices: &'a Matrices<D>,
     pub constraints: &'a Constraints<D>,
@@ -92,34 +93,59 @@ pub struct StepPreconditioner<'a, const D: usize> {
     pub measure: &'a [f64],
     pub scale: f64,
     pub enclosed: bool,
-    pub scratch: &'a mut Vec<f64>,
+    /// Scratch.
+    pub volumes: &'a mut Vec<f64>,
+    /// Scratch.
+    pub forces: &'a mut Vec<Vector<D>>,
 }
 
 impl<const D: usize> Preconditioner for StepPreconditioner<'_, D> {
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         let ((r_u, r_p), (u, p)) = (split::<D>(r), split_mut::<D>(z));
-        match &mut self.velocity {
-            VelocitySolver::Sweep(sweep) => sweep.apply(&self.matrices.momentum, r_u, u),
-            VelocitySolver::Multigrid(multigrid) => multigrid.apply(self.constraints, r_u, u),
+        match self.velocity {
+            VelocitySolver::Sweep(sweep) => {
+                sweep.apply(&self.matrices.momentum, r_u, u);
+                self.solve_pressure(r_p, Some(u), p);
+                let (matrices, inertia) = (self.matrices, self.inertia);
+                for_each_node(u, |i, u| {
+                    let force = matrices.gradient(i, p);
+                    for k in 0..D {
+                        u[k] += force[k] / inertia[i];
+                    }
+                });
+                self.constraints.project(u);
+            }
+            VelocitySolver::Multigrid(_) => {
+                self.solve_pressure(r_p, None, p);
+                let matrices = self.matrices;
+                self.forces.resize(r_u.len(), [0.0; D]);
+                for_each_node(self.forces, |i, force| {
+                    let gradient = matrices.gradient(i, p);
+                    *force = std::array::from_fn(|k| r_u[i][k] + gradient[k]);
+                });
+                if let VelocitySolver::Multigrid(multigrid) = &mut self.velocity {
+                    multigrid.apply(self.constraints, self.forces, u);
+                }
+            }
         }
-        self.scratch.resize(r_p.len(), 0.0);
+    }
+}
+
+impl<const D: usize> StepPreconditioner<'_, D> {
+    /// p ← Ŝ⁻¹(r_p − Gᵀu).
+    fn solve_pressure(&mut self, r_p: &[f64], u: Option<&[Vector<D>]>, p: &mut [f64]) {
         let (matrices, scale) = (self.matrices, self.scale);
-        for_each_node(self.scratch, |i, value| *value = r_p[i] / scale - matrices.divergence(i, u));
+        self.volumes.resize(r_p.len(), 0.0);
+        for_each_node(self.volumes, |i, value| {
+            *value = r_p[i] / scale - u.map_or(0.0, |u| matrices.divergence(i, u));
+        });
         if self.enclosed {
-            remove_sum(self.measure, self.scratch);
+            remove_sum(self.measure, self.volumes);
         }
-        self.schur.apply(self.viscous, self.scratch, p);
+        self.schur.apply(self.viscous, self.volumes, p);
         if self.enclosed {
             let mean = vector::dot(p, self.measure) / vector::sum(self.measure);
             p.iter_mut().for_each(|p| *p -= mean);
         }
-        let inertia = self.inertia;
-        for_each_node(u, |i, u| {
-            let force = matrices.gradient(i, p);
-            for k in 0..D {
-                u[k] += force[k] / inertia[i];
-            }
-        });
-        self.constraints.project(u);
     }
 }

@@ -1,5 +1,6 @@
 //! The books of a window.
 
+use super::compensated::CompensatedSum;
 use super::exchange::Exchange;
 use super::flow::{Flow, in_space};
 use super::krylov::split;
@@ -13,18 +14,24 @@ use interface::ledger::FluidLedger;
 /// A sum of vectors and of the sizes of its terms.
 #[derive(Debug, Clone, Copy)]
 struct Sum<const D: usize> {
-    value: Vector<D>,
+    components: [CompensatedSum; D],
     scale: f64,
 }
 
 impl<const D: usize> Sum<D> {
-    const ZERO: Self = Self { value: [0.0; D], scale: 0.0 };
+    fn new() -> Self {
+        Self { components: [CompensatedSum::default(); D], scale: 0.0 }
+    }
 
     fn add(&mut self, term: Vector<D>) {
         for k in 0..D {
-            self.value[k] += term[k];
+            self.components[k].add(term[k]);
             self.scale += term[k].abs();
         }
+    }
+
+    fn value(&self) -> Vector<D> {
+        self.components.map(CompensatedSum::value)
     }
 }
 
@@ -45,8 +52,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let (rows, _) = split::<D>(&self.work.rows);
         let rule = self.work.rule;
 
-        let mut inertia = self.inertia(rule);
-        let mut boundary = Sum { value: self.constraints.sum_of_constrained(rows), scale: 0.0 };
+        let inertia = self.inertia(rule);
+        let mut boundary = Sum::new();
+        boundary.add(self.constraints.sum_of_constrained(rows));
         for node in self.constraints.nodes() {
             boundary.scale += rows[node.node as usize].iter().map(|force| force.abs()).sum::<f64>();
         }
@@ -54,7 +62,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             self.outlets.force(density, &state.void_fraction, &self.work.convecting, &state.velocity);
         boundary.add(value);
         boundary.scale += scale;
-        let mut stress = Sum::ZERO;
+        let mut stress = Sum::new();
         if !recovered.is_empty() {
             self.add_traction_on_solids(&mut boundary);
             for (a, recovered) in recovered.iter().enumerate() {
@@ -65,19 +73,19 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         }
         let (drag, explicit, exchanged) =
             if exchange.is_silent() { ([0.0; D], [0.0; D], 0.0) } else { exchange.totals(&state.velocity) };
-        inertia.scale += boundary.scale + stress.scale + exchanged;
+        let scale = inertia.rate.scale + inertia.body.scale + boundary.scale + stress.scale + exchanged;
 
         let impulse = |force: Vector<D>| in_space(&force).map(|force| force * depth * step.length);
         FluidLedger {
             volume: depth * linear::vector::dot(self.mesh.measure(), &state.void_fraction),
-            momentum: in_space(&inertia.momentum).map(|momentum| depth * momentum),
-            rate: impulse(inertia.rate),
-            body: impulse(inertia.body),
-            boundary: impulse(boundary.value),
+            momentum: in_space(&inertia.momentum.value()).map(|momentum| depth * momentum),
+            rate: impulse(inertia.rate.value()),
+            body: impulse(inertia.body.value()),
+            boundary: impulse(boundary.value()),
             drag: impulse(drag),
-            stress: impulse(stress.value),
+            stress: impulse(stress.value()),
             explicit: impulse(explicit),
-            scale: depth * step.length * inertia.scale,
+            scale: depth * step.length * scale,
             volume_defect: depth * step.length * self.volume_rate(rule),
             kinetic_energy: depth * inertia.kinetic_energy,
         }
@@ -85,7 +93,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     fn inertia(&self, rule: TimeRule) -> Inertia<D> {
         let (density, state) = (self.properties.density, &self.state);
-        let mut sum = Inertia { momentum: [0.0; D], rate: [0.0; D], body: [0.0; D], kinetic_energy: 0.0, scale: 0.0 };
+        let mut sum =
+            Inertia { momentum: Sum::new(), rate: Sum::new(), body: Sum::new(), kinetic_energy: 0.0 };
         for cell in 0..self.mesh.cells().len() {
             let nodes = self.mesh.cell_nodes(cell);
             let void = |field| PorousCell::new(&self.mesh, cell, &nodes, field).void_fraction;
@@ -93,17 +102,13 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 [&state.void_fraction, &state.void_fraction_old, &state.void_fraction_older].map(|field| void(field));
             let mass = density * self.mesh.volumes()[cell];
             for (i, node) in nodes.map(|node| node as usize).into_iter().enumerate() {
-                for k in 0..D {
-                    let momentum = mass * new.first(i) * state.velocity[node][k];
-                    let history = mass
-                        * (rule.old() * old.first(i) * state.velocity_old[node][k]
-                            + rule.older * older.first(i) * state.velocity_older[node][k]);
-                    let body = mass * new.first(i) * self.acceleration[node][k];
-                    sum.momentum[k] += momentum;
-                    sum.rate[k] += rule.new * momentum + history;
-                    sum.body[k] += body;
-                    sum.scale += rule.new * momentum.abs() + history.abs() + body.abs();
-                }
+                let times = |share: f64, field: &Vector<D>| field.map(|component| mass * share * component);
+                let momentum = times(new.first(i), &state.velocity[node]);
+                sum.momentum.add(momentum);
+                sum.rate.add(momentum.map(|component| rule.new * component));
+                sum.rate.add(times(rule.old() * old.first(i), &state.velocity_old[node]));
+                sum.rate.add(times(rule.older * older.first(i), &state.velocity_older[node]));
+                sum.body.add(times(new.first(i), &self.acceleration[node]));
                 for (j, &other) in nodes.iter().enumerate() {
                     let other = &state.velocity[other as usize];
                     sum.kinetic_energy += 0.5 * mass * new.second(i, j) * dot(&state.velocity[node], other);
@@ -140,9 +145,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 }
 
 struct Inertia<const D: usize> {
-    momentum: Vector<D>,
-    rate: Vector<D>,
-    body: Vector<D>,
+    momentum: Sum<D>,
+    rate: Sum<D>,
+    body: Sum<D>,
     kinetic_energy: f64,
-    scale: f64,
 }

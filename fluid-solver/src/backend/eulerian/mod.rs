@@ -5,6 +5,7 @@ mod backend;
 mod balance;
 mod case;
 mod checkpoint;
+mod compensated;
 mod exchange;
 mod flow;
 mod grains;

@@ -1,0 +1,40 @@
+//! Every shipped case runs in its fast variant and passes its checks.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+use support::{Folder, case, run, stderr};
+
+fn passes(name: &str) {
+    let folder = Folder::new();
+    let output = run(&case(name), &folder.join("out"), &[], &[]);
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{name}: {}\n{said}", stderr(&output));
+    assert!(said.contains("pass  "), "{name} has checks: {said}");
+}
+
+/// One test per case; a case without a test fails the last one.
+macro_rules! cases {
+    ($($test:ident $name:literal)+) => {
+        $(#[test] fn $test() { passes($name); })+
+
+        #[test]
+        fn every_shipped_case_is_run() {
+            let mut found: Vec<String> = std::fs::read_dir(case("")).unwrap().flatten()
+                .map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+            found.sort();
+            assert_eq!(found, [$($name),+]);
+        }
+    };
+}
+
+cases! {
+    fluidised_bed "fluidised-bed"
+    hindered_settling "hindered-settling"
+    hydrostatic_half_bed "hydrostatic-half-bed"
+    packed_bed "packed-bed"
+    pipe_sediment "pipe-sediment"
+    relaxation_box "relaxation-box"
+    settling_ode "settling-ode"
+    settling_sphere "settling-sphere"
+}
