@@ -37,7 +37,6 @@ pub struct DemParticipant<const D: usize> {
     /// The grains frame of this state has been published.
     published: bool,
     window: Window,
-    substeps_done: u64,
     seconds: f64,
 }
 
@@ -67,7 +66,6 @@ impl<const D: usize> DemParticipant<D> {
             coupled,
             published: false,
             window: Window { number: 0, time: 0.0, step: 0.0, grains_changed: false },
-            substeps_done: 0,
             seconds: 0.0,
         }
     }
@@ -113,7 +111,6 @@ impl<const D: usize> DemParticipant<D> {
         };
         // Exactly where the coupler's clock will be.
         self.world.time = self.window.time + self.window.step;
-        self.substeps_done += u64::from(count);
         if self.coupled {
             self.publish_grains(iteration, self.world.time, false)?;
             self.publish_impulses(iteration)?;
@@ -134,7 +131,7 @@ impl<const D: usize> DemParticipant<D> {
 
     fn commit_window(&mut self, commit: &Commit) -> Result<Committed, DemError> {
         if commit.series {
-            self.record.row(&self.world, self.substeps_done)?;
+            self.record.row(&self.world)?;
         }
         if let Some(number) = commit.frame {
             self.record.frame(&self.world, number)?;
@@ -169,10 +166,12 @@ impl<const D: usize> Participant for DemParticipant<D> {
         }
         let size = self.world.grains.len() as u64;
         let critical = critical_time_step(&self.scene, &self.world);
-        let notes = vec![
-            format!("{size} grains at the start"),
-            format!("critical step {:.3e} s, set by {}", critical.step, critical.binding),
-        ];
+        let limit = if critical.step.is_finite() {
+            format!("critical step {:.3e} s, set by {}", critical.step, critical.binding)
+        } else {
+            "no critical step at the start: nothing touches".to_string()
+        };
+        let notes = vec![format!("{size} grains at the start"), limit];
         Ok(Ready { size, largest_step: f64::INFINITY, time: self.world.time, notes, surface: None })
     }
 

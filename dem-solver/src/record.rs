@@ -7,7 +7,7 @@ use case_io::output::series::{SeriesWriter, cut_after};
 use case_io::output::vtk::{Collection, Compression, Field, Format, GrainPoints, Precision};
 use std::path::{Path, PathBuf};
 
-const TITLES: [&str; 12] = [
+const TITLES: [&str; 11] = [
     "t[s]",
     "count[-]",
     "x[m]",
@@ -19,7 +19,6 @@ const TITLES: [&str; 12] = [
     "speed-max[m/s]",
     "height-max[m]",
     "kinetic-energy[J]",
-    "substeps[-]",
 ];
 
 /// Open files of one run.
@@ -50,7 +49,7 @@ impl Record {
         let (series, frames) = self.paths();
         self.series = Some(SeriesWriter::create(&series, &TITLES)?);
         self.frames = Some(Collection::create(&frames)?);
-        self.row(world, 0)?;
+        self.row(world)?;
         self.frame(world, 0)
     }
 
@@ -72,7 +71,7 @@ impl Record {
     ///
     /// # Errors
     /// The disk's.
-    pub fn row<const D: usize>(&mut self, world: &World<D>, substeps: u64) -> Result<(), DemError> {
+    pub fn row<const D: usize>(&mut self, world: &World<D>) -> Result<(), DemError> {
         let Some(series) = &mut self.series else { return Ok(()) };
         let grains = &world.grains;
         let count = grains.len() as f64;
@@ -94,8 +93,7 @@ impl Record {
         }
         let [x, y, z] = place;
         let [vx, vy, vz] = velocity;
-        let substeps = substeps as f64;
-        let row = [world.time, count, x, y, z, vx, vy, vz, fastest, highest, energy, substeps];
+        let row = [world.time, count, x, y, z, vx, vy, vz, fastest, highest, energy];
         Ok(series.row(&row)?)
     }
 

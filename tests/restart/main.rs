@@ -33,6 +33,28 @@ fn a_run_killed_and_resumed_leaves_the_bytes_of_a_run_through() {
     assert_same_results(&folder.join("through"), &folder.join("killed"));
 }
 
+/// Contacts, walls, insertion over time and a two-way fluid: stopped by Ctrl-C at some commit, killed, or run through.
+#[test]
+fn a_coupled_run_with_contacts_resumes_to_the_same_bytes() {
+    let folder = Folder::new();
+    let case = case("pipe-sediment");
+    let changes =
+        ["time.end=\"0.2 s\"", "output.series=\"8 ms\"", "output.restart=\"40 ms\"", "output.frames=\"40 ms\""];
+    let through = run(&case, &folder.join("through"), &changes, &[]);
+    // The checks of the case are about its end.
+    assert_eq!(through.status.code(), Some(4), "{}", stderr(&through));
+
+    let mut live = Live::start(&case, &folder.join("killed"), &changes, &["--hold", "dem-solver:37:commit"]);
+    live.wait_held();
+    for pid in live.solvers().iter().map(|(pid, _)| *pid).chain([live.child.id()]) {
+        signal(pid, "KILL");
+    }
+    live.exit_code(Duration::from_secs(5));
+    let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
+    assert_eq!(resumed.status.code(), Some(4), "{}", stderr(&resumed));
+    assert_same_results(&folder.join("through"), &folder.join("killed"));
+}
+
 #[test]
 fn a_changed_case_is_not_resumed() {
     let folder = Folder::new();

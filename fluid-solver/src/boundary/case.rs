@@ -36,7 +36,9 @@ fn field<const D: usize>(velocity: Option<&BoundaryVelocity>) -> VelocityField<D
             let components = components.clone();
             Arc::new(move |x, t| {
                 let point = std::array::from_fn(|k| if k < D { x[k] } else { 0.0 });
-                std::array::from_fn(|k| components.get(k).map_or(0.0, |component| component.evaluate(point, t)))
+                std::array::from_fn(|k| {
+                    components.get(k).map_or(0.0, |component| component.evaluate(point, t))
+                })
             })
         }
     }

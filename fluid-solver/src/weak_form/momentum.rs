@@ -28,7 +28,9 @@ impl<'a, const D: usize, const N: usize> MomentumCell<'a, D, N> {
     ) -> Self {
         let void = &cell.void_fraction;
         let flux: [Vector<D>; N] = std::array::from_fn(|j| {
-            std::array::from_fn(|k| density * (0..N).map(|b| void.second(b, j) * convecting[b][k]).sum::<f64>())
+            std::array::from_fn(|k| {
+                density * (0..N).map(|b| void.second(b, j) * convecting[b][k]).sum::<f64>()
+            })
         });
         let mean_flux = std::array::from_fn(|k| flux.iter().map(|part| part[k]).sum());
         Self { cell, density, viscosity, relaxation_time, flux, mean_flux }

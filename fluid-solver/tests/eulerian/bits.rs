@@ -14,7 +14,9 @@ fn backend() -> Eulerian<3, 4> {
         Properties { density: 1000.0, viscosity: 1e-3, gravity: [0.0, 0.0, -9.81], tolerance: 1e-8 };
     let mesh = box_mesh::<3, 4>([0.0; 3], [0.1; 3], [14, 14, 17], [true, false, false], Some(0.2));
     let flow = flow(mesh, properties, |name| match name {
-        "z-min" => Condition::Inlet(Inflow::Speed { mean: 0.1, profile: case_io::document::Profile::Parabolic }),
+        "z-min" => {
+            Condition::Inlet(Inflow::Speed { mean: 0.1, profile: case_io::document::Profile::Parabolic })
+        }
         "z-max" => Condition::Outlet { pressure: 0.0 },
         _ => Condition::NoSlip,
     });
@@ -40,7 +42,11 @@ fn window(backend: &mut Eulerian<3, 4>, n: usize) {
             backend.restore();
         }
         backend.project(step, &grains(n + 1)).unwrap();
-        let row = ReactionRow { exchange_coefficient: 0.02, target_velocity: [0.0, 0.01, -0.02], ..ReactionRow::default() };
+        let row = ReactionRow {
+            exchange_coefficient: 0.02,
+            target_velocity: [0.0, 0.01, -0.02],
+            ..ReactionRow::default()
+        };
         backend.solve(step, &vec![row; 400]).unwrap();
         backend.prepare_samples();
     }
@@ -51,7 +57,9 @@ fn bits(backend: &Eulerian<3, 4>) -> Vec<u64> {
     let state = backend.flow().state();
     let samples = (0..400).flat_map(|row| {
         let sample = backend.sample(row);
-        [sample.velocity, sample.pressure_gradient, sample.acceleration, sample.vorticity].into_iter().flatten()
+        [sample.velocity, sample.pressure_gradient, sample.acceleration, sample.vorticity]
+            .into_iter()
+            .flatten()
     });
     let fields = state.velocity.as_flattened().iter().chain(&state.pressure).chain(&state.acceleration[0]);
     fields.copied().chain(samples).map(f64::to_bits).collect()
@@ -66,7 +74,9 @@ fn run(windows: usize) -> Vec<u64> {
 
 #[test]
 fn one_two_and_four_threads_give_the_same_bits() {
-    let with = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| run(3));
+    let with = |threads: usize| {
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| run(3))
+    };
     let one = with(1);
     assert!(one == with(2) && one == with(4));
 }

@@ -40,15 +40,16 @@ fn channel<const D: usize, const N: usize>(cells: usize) -> Flow<D, N> {
 
 /// Grains at random places of a box, some close to walls.
 fn cloud<const D: usize>(count: usize, extent: f64, random: &mut Random) -> Vec<GrainRow> {
-    let grain = |id: usize| {
-        let radius = extent * (0.012 + 0.005 * random.unit());
-        let position = std::array::from_fn(|k| {
-            if k < D { radius + (extent - 2.0 * radius) * random.unit() } else { 0.0 }
-        });
-        let velocity = std::array::from_fn(|k| if k < D { random.unit() - 0.5 } else { 0.0 });
-        let mass = 2500.0 * 4.0 * radius.powi(3);
-        GrainRow { id: id as u64, position, velocity, angular_velocity: [0.0; 3], radius, mass }
-    };
+    let grain =
+        |id: usize| {
+            let radius = extent * (0.012 + 0.005 * random.unit());
+            let position = std::array::from_fn(|k| {
+                if k < D { radius + (extent - 2.0 * radius) * random.unit() } else { 0.0 }
+            });
+            let velocity = std::array::from_fn(|k| if k < D { random.unit() - 0.5 } else { 0.0 });
+            let mass = 2500.0 * 4.0 * radius.powi(3);
+            GrainRow { id: id as u64, position, velocity, angular_velocity: [0.0; 3], radius, mass }
+        };
     (0..count).map(grain).collect()
 }
 
@@ -63,7 +64,9 @@ fn moved(grains: &[GrainRow], step: f64) -> Vec<GrainRow> {
 /// Reactions with β_e from 0 to 10⁴ m/Δt.
 fn reactions(grains: &[GrainRow], step: f64, random: &mut Random) -> Vec<ReactionRow> {
     let reaction = |(p, row): (usize, &GrainRow)| ReactionRow {
-        force: std::array::from_fn(|k| if row.position[k] == 0.0 { 0.0 } else { 0.1 * row.mass * (random.unit() - 0.5) }),
+        force: std::array::from_fn(|k| {
+            if row.position[k] == 0.0 { 0.0 } else { 0.1 * row.mass * (random.unit() - 0.5) }
+        }),
         exchange_coefficient: [0.0, 1e-2, 1.0, 1e2, 1e4][p % 5] * row.mass / step,
         added_mass: 0.0,
         target_velocity: row.velocity,
@@ -74,7 +77,8 @@ fn reactions(grains: &[GrainRow], step: f64, random: &mut Random) -> Vec<Reactio
 /// |rate − (body + boundary − drag − stress + explicit)| over the scale.
 fn defect(ledger: &FluidLedger) -> f64 {
     let defect = |k: usize| {
-        let gained = ledger.body[k] + ledger.boundary[k] - ledger.drag[k] - ledger.stress[k] + ledger.explicit[k];
+        let gained =
+            ledger.body[k] + ledger.boundary[k] - ledger.drag[k] - ledger.stress[k] + ledger.explicit[k];
         (ledger.rate[k] - gained).abs()
     };
     (0..3).map(defect).fold(0.0, f64::max) / ledger.scale
@@ -99,7 +103,6 @@ fn ledger_closes<const D: usize, const N: usize>(cells: usize, count: usize) {
             let solution = backend.solve(step, &reactions).unwrap();
             backend.prepare_samples();
             let ledger = &solution.ledger;
-            println!("{D}D: iterations {} defect {:.2e} volume {:.1e}", solution.iterations, defect(ledger), ledger.volume_defect);
             assert!(defect(ledger) <= 1e-12, "{:e}: {ledger:?}", defect(ledger));
             assert!(ledger.drag.iter().any(|drag| drag.abs() > 1e-3 * ledger.scale), "{ledger:?}");
             what_grains_sample_is_what_the_fluid_gives(&backend, &grains, &reactions, ledger, length);
@@ -124,8 +127,10 @@ fn what_grains_sample_is_what_the_fluid_gives<const D: usize, const N: usize>(
             _ => 4.0 / 3.0 * std::f64::consts::PI * grain.radius.powi(3),
         };
         for k in 0..3 {
-            stress[k] += volume * (sample.viscous_stress_divergence[k] - sample.pressure_gradient[k]) * length;
-            drag[k] += reaction.exchange_coefficient * (sample.velocity[k] - reaction.target_velocity[k]) * length;
+            stress[k] +=
+                volume * (sample.viscous_stress_divergence[k] - sample.pressure_gradient[k]) * length;
+            drag[k] +=
+                reaction.exchange_coefficient * (sample.velocity[k] - reaction.target_velocity[k]) * length;
         }
     }
     for k in 0..3 {
@@ -157,7 +162,13 @@ fn bed<const D: usize, const N: usize>(coefficient: f64, force: f64, length: f64
         for (k, x) in position.iter_mut().enumerate().take(D) {
             *x = ((index / per_axis.pow(k as u32)) % per_axis) as f64 / per_axis as f64;
         }
-        grains.push(GrainRow { id: index as u64, position, radius: 0.06, mass: f64::INFINITY, ..GrainRow::default() });
+        grains.push(GrainRow {
+            id: index as u64,
+            position,
+            radius: 0.06,
+            mass: f64::INFINITY,
+            ..GrainRow::default()
+        });
     }
     let row = ReactionRow { exchange_coefficient: coefficient, ..ReactionRow::default() };
     let reactions = vec![row; grains.len()];
@@ -168,13 +179,19 @@ fn bed<const D: usize, const N: usize>(coefficient: f64, force: f64, length: f64
         backend.save();
         backend.project(step, &grains).unwrap();
         let solution = backend.solve(step, &reactions).unwrap();
-        println!("bed: {} iterations", solution.iterations);
         worst = worst.max(defect(&solution.ledger));
         backend.prepare_samples();
         backend.commit(step);
     }
     assert!(worst <= 1e-12, "{worst:e}");
-    let fluid: f64 = backend.flow().state().void_fraction.iter().zip(backend.flow().mesh().measure()).map(|(e, m)| e * m).sum();
+    let fluid: f64 = backend
+        .flow()
+        .state()
+        .void_fraction
+        .iter()
+        .zip(backend.flow().mesh().measure())
+        .map(|(e, m)| e * m)
+        .sum();
     // Darcy: Σβ u = ∫ρεb.
     let exact = DENSITY * fluid * force / (grains.len() as f64 * coefficient);
     (backend, exact)
@@ -187,7 +204,6 @@ fn body_force_and_drag_balance_in_a_periodic_bed() {
         let (backend, exact) = bed::<D, N>(coefficient, 1e-3, 1e10);
         let count = 6usize.pow(D as u32);
         let mean = (0..count).map(|row| backend.sample(row).velocity[0]).sum::<f64>() / count as f64;
-        println!("Darcy {D}D: {mean:e} {exact:e}");
         assert!((mean / exact - 1.0).abs() < 1e-10, "{mean:e} {exact:e}");
     }
     balance::<2, 3>(3.0);
@@ -200,7 +216,6 @@ fn drag_far_stiffer_than_inertia_stays_bounded_and_stops_the_fluid() {
     for coefficient in [1e2, 1e5, 1e8] {
         let (backend, exact) = bed::<2, 3>(coefficient, 9.81, 1e-2);
         let speed = largest_speed(backend.flow());
-        println!("{coefficient:e}: {speed:e}, Darcy {exact:e}");
         assert!(speed <= 1.5 * exact.min(9.81 * 3e-2), "{speed:e} {exact:e}");
     }
 }
@@ -240,7 +255,6 @@ fn an_enclosed_fluid_reports_the_volume_that_grains_displace_and_goes_on() {
     let volume = std::f64::consts::PI * grains[39].radius.powi(2);
     backend.project(step, &grains[..39]).unwrap();
     let solution = backend.solve(step, &[]).unwrap();
-    println!("defect {:e} volume {volume:e}", solution.ledger.volume_defect);
     assert!((solution.ledger.volume_defect / volume - 1.0).abs() < 1e-9);
     assert!(defect(&solution.ledger) <= 1e-12);
 }

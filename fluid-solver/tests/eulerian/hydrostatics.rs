@@ -22,11 +22,9 @@ fn rest<const D: usize, const N: usize>(cells: [usize; D], open: bool) {
     let void: Vec<f64> =
         flow.mesh().nodes().iter().map(|x| if x[D - 1] < 0.14 { 0.4 } else { 1.0 }).collect();
     flow.state_mut().reset_void_fraction(&void);
-    let iterations = advance(&mut flow, 0.0, 1e-3, 3, |_, _| ());
-    println!("first: {:e} its {iterations}", largest_speed(&flow));
+    advance(&mut flow, 0.0, 1e-3, 3, |_, _| ());
     assert!(largest_speed(&flow) <= 1e-10, "{:e}", largest_speed(&flow));
     advance(&mut flow, 3e-3, 1e-3, 97, |_, _| ());
-    println!("100 steps: {:e}", largest_speed(&flow));
     assert!(largest_speed(&flow) <= 1e-10, "{:e}", largest_speed(&flow));
 }
 

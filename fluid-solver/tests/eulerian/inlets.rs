@@ -1,12 +1,12 @@
 //! Inlets, sliding and curved walls.
 
 use crate::support::{advance, box_mesh, flow, given};
+use case_io::document::Profile;
+use fluid_solver::FluidError;
 use fluid_solver::backend::eulerian::{Flow, Properties};
 use fluid_solver::boundary::{Boundaries, BoundaryError, Condition, Inflow};
 use fluid_solver::mesh::Mesh;
 use fluid_solver::mesh::generate::Pipe;
-use case_io::document::Profile;
-use fluid_solver::FluidError;
 
 /// −∮u·n over a boundary.
 fn inflow<const D: usize, const N: usize>(flow: &Flow<D, N>, name: &str) -> f64 {
@@ -14,7 +14,8 @@ fn inflow<const D: usize, const N: usize>(flow: &Flow<D, N>, name: &str) -> f64 
     let group = mesh.group(name).expect("the boundary");
     let through = |face: &fluid_solver::mesh::BoundaryFace<D>| -> f64 {
         let area = mesh.area_vector(face);
-        let corner = |point: u32| (0..D).map(|k| velocity[mesh.node_of(point) as usize][k] * area[k]).sum::<f64>();
+        let corner =
+            |point: u32| (0..D).map(|k| velocity[mesh.node_of(point) as usize][k] * area[k]).sum::<f64>();
         -face.points.map(corner).iter().sum::<f64>() / D as f64
     };
     mesh.boundary().iter().filter(|face| face.group == group).map(through).sum()
@@ -48,8 +49,7 @@ fn an_inlet_passes_the_mean_speed_that_is_stated_whatever_its_profile() {
         };
         assert!((inflow(&flow, "inlet") / (0.02 * area) - 1.0).abs() < 1e-12);
         // What enters leaves.
-        let iterations = advance(&mut flow, 0.0, 0.05, 4, |_, _| ());
-        println!("pipe: {} iterations a step", iterations as f64 / 4.0);
+        advance(&mut flow, 0.0, 0.05, 4, |_, _| ());
         assert!((inflow(&flow, "outlet") + inflow(&flow, "inlet")).abs() < 1e-7 * 0.02 * area);
     }
 }
@@ -57,8 +57,7 @@ fn an_inlet_passes_the_mean_speed_that_is_stated_whatever_its_profile() {
 #[test]
 fn developed_pipe_flow_has_the_pressure_drop_of_poiseuille() {
     let mut flow = pipe(0.01, Profile::Parabolic);
-    let iterations = advance(&mut flow, 0.0, 1e3, 3, |_, _| ());
-    println!("steady pipe: {} iterations a step", iterations as f64 / 3.0);
+    advance(&mut flow, 0.0, 1e3, 3, |_, _| ());
     let axis = |z: f64| {
         let place = |x: &&[f64; 3]| (x[0].hypot(x[1]) + (x[2] - z).abs()) < 1e-9;
         let node = flow.mesh().nodes().iter().position(|x| place(&x)).expect("a node on the axis");
@@ -66,7 +65,6 @@ fn developed_pipe_flow_has_the_pressure_drop_of_poiseuille() {
     };
     let drop = (axis(0.01).1 - axis(0.03).1) / 0.02;
     let exact = 8.0 * 0.01 * 0.02 / 0.01_f64.powi(2);
-    println!("drop {drop} {exact}, centre {:?}", axis(0.02).0);
     // A polygon of 30 corners and five cells across the radius.
     assert!((drop / exact - 1.0).abs() < 0.02, "{drop} {exact}");
     assert!((axis(0.02).0[2] / 0.04 - 1.0).abs() < 0.03, "{:?}", axis(0.02));
@@ -120,7 +118,10 @@ fn backflow_through_an_outlet_does_not_blow_up() {
 fn boundaries_are_named_exactly_once() {
     let mesh: Mesh<2, 3> = box_mesh([0.0; 2], [1.0; 2], [3, 2], [true, false], None);
     let refused = |names: &[&str]| {
-        Boundaries::new(&mesh, names.iter().map(|name| (name.to_string(), Condition::NoSlip))).err().unwrap().to_string()
+        Boundaries::new(&mesh, names.iter().map(|name| (name.to_string(), Condition::NoSlip)))
+            .err()
+            .unwrap()
+            .to_string()
     };
     assert_eq!(
         refused(&["y-min", "lid"]),

@@ -6,5 +6,4 @@ mod exact_flows;
 mod hydrostatics;
 mod inlets;
 mod manufactured;
-mod scratch;
 mod support;

@@ -68,11 +68,10 @@ fn errors<const D: usize, const N: usize>(solution: Solution<D>, n: usize) -> (f
     flow.state_mut().reset_void_fraction(&at(0.0));
     flow.set_velocity(|x| solution.velocity(x, 0.0));
     flow.state_mut().pressure = nodes.iter().map(|x| (solution.pressure)(x, 0.0)).collect();
-    let iterations = advance(&mut flow, 0.0, END / n as f64, n, |flow, t| {
+    advance(&mut flow, 0.0, END / n as f64, n, |flow, t| {
         flow.state_mut().void_fraction.copy_from_slice(&at(t));
         flow.set_body_force(|x| solution.body_force(x, t));
     });
-    println!("n = {n}: {} iterations a step", iterations as f64 / n as f64);
     (
         l2_error(flow.mesh(), &flow.state().velocity, |x| solution.velocity(x, END)),
         pressure_error(flow.mesh(), &flow.state().pressure, |x| (solution.pressure)(x, END)),
@@ -81,7 +80,6 @@ fn errors<const D: usize, const N: usize>(solution: Solution<D>, n: usize) -> (f
 
 fn orders<const D: usize, const N: usize>(solution: Solution<D>, levels: &[usize]) -> Vec<(f64, f64)> {
     let errors: Vec<(f64, f64)> = levels.iter().map(|&n| errors::<D, N>(solution, n)).collect();
-    println!("errors {errors:?}");
     errors.windows(2).map(|pair| ((pair[0].0 / pair[1].0).log2(), (pair[0].1 / pair[1].1).log2())).collect()
 }
 
@@ -100,9 +98,7 @@ fn plane(viscosity: f64) -> Solution<2> {
 
 fn space(viscosity: f64) -> Solution<3> {
     Solution {
-        void_fraction: |x, t| {
-            0.7 + 0.2 * (PI * x[0]).sin() * (PI * x[1]).sin() * (PI * x[2]).sin() * t.cos()
-        },
+        void_fraction: |x, t| 0.7 + 0.2 * (PI * x[0]).sin() * (PI * x[1]).sin() * (PI * x[2]).sin() * t.cos(),
         flux: |x, t| {
             let [(sx, cx), (sy, cy), (sz, cz)] = x.map(|x| (PI * x).sin_cos());
             let (swirl, swell) = (0.5 * (1.0 + 0.5 * t.sin()), -0.2 / (3.0 * PI) * t.sin());
@@ -121,7 +117,6 @@ fn space(viscosity: f64) -> Solution<3> {
 fn velocity_is_second_order_under_a_moving_void_fraction_in_the_plane() {
     for viscosity in [0.1, 1e-3] {
         let orders = orders::<2, 3>(plane(viscosity), &[8, 16, 32]);
-        println!("viscosity {viscosity}: orders (u, p) {orders:?}");
         assert!(orders[1].0 >= 1.9 && orders[1].1 >= 1.4, "viscosity {viscosity}: {orders:?}");
     }
 }
@@ -129,6 +124,5 @@ fn velocity_is_second_order_under_a_moving_void_fraction_in_the_plane() {
 #[test]
 fn velocity_is_second_order_under_a_moving_void_fraction_in_space() {
     let orders = orders::<3, 4>(space(0.02), &[4, 8, 16]);
-    println!("orders (u, p) {orders:?}");
     assert!(orders[1].0 >= 1.9 && orders[1].1 >= 1.4, "{orders:?}");
 }

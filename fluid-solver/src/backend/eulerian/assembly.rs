@@ -76,7 +76,14 @@ impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
         for_each_row(pattern, coupling, right, |row, entries, right| {
             entries.fill(Coupling::ZERO);
             for corner in self.incidence.of(row) {
-                self.add_coupling(corner.cell as usize, corner.local as usize, &corner.entries, relaxation_times, entries, right);
+                self.add_coupling(
+                    corner.cell as usize,
+                    corner.local as usize,
+                    &corner.entries,
+                    relaxation_times,
+                    entries,
+                    right,
+                );
             }
         });
         for_each_row(pattern, recovery, right, |row, entries, right| {
@@ -109,7 +116,13 @@ impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
 
     fn momentum_cell(&self, cell: usize, nodes: &[u32; N], relaxation_time: f64) -> MomentumCell<'_, D, N> {
         let convecting = nodes.map(|node| self.convecting[node as usize]);
-        MomentumCell::new(self.porous_cell(cell, nodes), self.density, self.viscosity, &convecting, relaxation_time)
+        MomentumCell::new(
+            self.porous_cell(cell, nodes),
+            self.density,
+            self.viscosity,
+            &convecting,
+            relaxation_time,
+        )
     }
 
     fn pressure_cell(&self, cell: usize, nodes: &[u32; N], relaxation_time: f64) -> PressureCell<'_, D, N> {
@@ -182,7 +195,8 @@ impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
         let volume = self.mesh.volumes()[cell];
         for (j, &place) in places.iter().enumerate() {
             let target = &mut entries[place as usize];
-            let (gradient, divergence, projection) = (element.gradient(i, j), element.gradient(j, i), element.recovery(j, i));
+            let (gradient, divergence, projection) =
+                (element.gradient(i, j), element.gradient(j, i), element.recovery(j, i));
             for k in 0..D {
                 target.gradient[k] += gradient[k];
                 target.divergence[k] += divergence[k];
@@ -202,7 +216,11 @@ impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
     /// D_t ε at a node (1/s).
     fn void_rate(&self, node: usize) -> f64 {
         let state = self.state;
-        self.rule.rate(state.void_fraction[node], state.void_fraction_old[node], state.void_fraction_older[node])
+        self.rule.rate(
+            state.void_fraction[node],
+            state.void_fraction_old[node],
+            state.void_fraction_older[node],
+        )
     }
 }
 

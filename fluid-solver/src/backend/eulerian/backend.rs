@@ -71,7 +71,8 @@ impl<const D: usize, const N: usize> Eulerian<D, N> {
         let volume: f64 = linear::vector::sum(measure);
         let mean = linear::vector::dot(measure, &self.saved.pressure) / volume;
         let square = |u: &Vector<D>| u.iter().map(|c| c * c).sum::<f64>();
-        let change = |i: usize| -> Vector<D> { std::array::from_fn(|k| state.velocity[i][k] - before_u[i][k]) };
+        let change =
+            |i: usize| -> Vector<D> { std::array::from_fn(|k| state.velocity[i][k] - before_u[i][k]) };
         let rms = |squares: &dyn Fn(usize) -> f64| {
             (measure.iter().enumerate().map(|(i, m)| m * squares(i)).sum::<f64>() / volume).sqrt()
         };
@@ -113,7 +114,8 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
 
     fn notes(&self) -> Vec<String> {
         let mesh = self.flow.mesh();
-        let (smallest, largest) = mesh.size().iter().fold((f64::INFINITY, 0.0_f64), |(a, b), &h| (a.min(h), b.max(h)));
+        let (smallest, largest) =
+            mesh.size().iter().fold((f64::INFINITY, 0.0_f64), |(a, b), &h| (a.min(h), b.max(h)));
         vec![
             format!("{} nodes, {} cells", mesh.node_count(), mesh.cells().len()),
             format!("mesh size {smallest:.4e} m to {largest:.4e} m"),

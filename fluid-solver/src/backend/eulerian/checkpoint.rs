@@ -19,7 +19,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             .array("void_fraction_older", &state.void_fraction_older)
             .array("acceleration", state.acceleration.as_flattened())
             .array("previous_step", state.previous_step.as_slice())
-            .array("mobility", self.work.schur.mobility())
+            .array("mobility", self.work.preconditioning.schur.mobility())
     }
 
     /// Goes on from a checkpoint.
@@ -30,7 +30,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let nodes = self.mesh.node_count();
         let scalars = |name: &'static str| -> Result<Vec<f64>, FluidError> {
             let values: Vec<f64> = checkpoint.array(name)?;
-            if values.len() == nodes { Ok(values) } else { Err(FluidError::OtherMesh { name, found: values.len(), nodes }) }
+            if values.len() == nodes {
+                Ok(values)
+            } else {
+                Err(FluidError::OtherMesh { name, found: values.len(), nodes })
+            }
         };
         let vectors = |name: &'static str| -> Result<Vec<Vector<D>>, FluidError> {
             let values: Vec<f64> = checkpoint.array(name)?;
@@ -55,7 +59,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         };
         let mobility: Vec<f64> = checkpoint.array("mobility")?;
         if mobility.len() == nodes {
-            self.work.schur.refresh(&self.mesh, &self.incidence, &self.outlets, &mobility)?;
+            self.work.preconditioning.schur.refresh(&self.mesh, &self.incidence, &self.outlets, &mobility)?;
         }
         Ok(())
     }

@@ -73,7 +73,11 @@ impl<const D: usize> GrainsOnMesh<D> {
     ///
     /// # Errors
     /// A range that is not positive and finite.
-    pub fn prepare<const N: usize>(&mut self, mesh: &Mesh<D, N>, range: Option<[f64; 2]>) -> Result<(), FluidError> {
+    pub fn prepare<const N: usize>(
+        &mut self,
+        mesh: &Mesh<D, N>,
+        range: Option<[f64; 2]>,
+    ) -> Result<(), FluidError> {
         self.kernel = match range {
             None => None,
             Some([smallest, largest]) => Some(NodeKernel::new(mesh, smallest..=largest)?),
@@ -120,15 +124,15 @@ impl<const D: usize> GrainsOnMesh<D> {
         }
         let (volumes, measure) = (&self.volumes, mesh.measure());
         let fields = &mut self.void_fraction;
-        void_fraction(weights, volumes, measure, SMALLEST_VOID_FRACTION, &mut self.deposit, fields).map_err(|fault| {
-            match fault {
+        void_fraction(weights, volumes, measure, SMALLEST_VOID_FRACTION, &mut self.deposit, fields).map_err(
+            |fault| match fault {
                 VoidFractionError::BelowFloor { node, value, floor } => {
                     let position = in_space(&mesh.nodes()[node]);
                     FluidError::VoidFraction { node, position, value, floor }
                 }
                 other => other.into(),
-            }
-        })
+            },
+        )
     }
 
     /// Takes the reactions, those of a slab of `depth` (m) in 2D.

@@ -99,7 +99,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let nodes = self.mesh.cell_nodes(cell);
             let void = |field| PorousCell::new(&self.mesh, cell, &nodes, field).void_fraction;
             let [new, old, older] =
-                [&state.void_fraction, &state.void_fraction_old, &state.void_fraction_older].map(|field| void(field));
+                [&state.void_fraction, &state.void_fraction_old, &state.void_fraction_older]
+                    .map(|field| void(field));
             let mass = density * self.mesh.volumes()[cell];
             for (i, node) in nodes.map(|node| node as usize).into_iter().enumerate() {
                 let times = |share: f64, field: &Vector<D>| field.map(|component| mass * share * component);

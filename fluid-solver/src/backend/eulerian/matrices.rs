@@ -131,7 +131,8 @@ impl<const D: usize> Matrices<D> {
         for_each_node(momentum, |i, row| {
             let (columns, blocks) = self.momentum.row(i);
             let mut sum: Vector<D> = std::array::from_fn(|k| drag[i][k] - affine * self.right[i].force[k]);
-            for ((&j, block), entry) in columns.iter().zip(blocks).zip(&self.coupling[self.pattern.slots(i)]) {
+            for ((&j, block), entry) in columns.iter().zip(blocks).zip(&self.coupling[self.pattern.slots(i)])
+            {
                 let j = j as usize;
                 dense::multiply_add(block, &u[j], &mut sum);
                 for k in 0..D {

@@ -47,11 +47,19 @@ impl<const D: usize> Outlets<D> {
 
     /// ∮ N_a n of the outlets at each of their corners (m²), with the node.
     pub fn openings(&self) -> impl Iterator<Item = (u32, Vector<D>)> + '_ {
-        self.faces.iter().flat_map(|face| face.nodes.map(|node| (node, face.facet.area.map(|a| a / D as f64))))
+        self.faces
+            .iter()
+            .flat_map(|face| face.nodes.map(|node| (node, face.facet.area.map(|a| a / D as f64))))
     }
 
     /// Adds ∮ρε (a·n)₊ u·w to the matrix.
-    pub fn add_outflow(&self, density: f64, void: &[f64], convecting: &[Vector<D>], matrix: &mut BlockCsr<D>) {
+    pub fn add_outflow(
+        &self,
+        density: f64,
+        void: &[f64],
+        convecting: &[Vector<D>],
+        matrix: &mut BlockCsr<D>,
+    ) {
         for face in &self.faces {
             let outflow = face.outflow(void, convecting);
             for (&i, row) in face.nodes.iter().zip(outflow) {

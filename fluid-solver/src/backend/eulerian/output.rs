@@ -20,8 +20,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let smallest = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
         let speed = |u: &Vector<D>| dot(u, u).sqrt();
         let mut statistics = vec![("volume[m^3]", weighted(&|_| 1.0))];
-        statistics
-            .extend((0..D).map(|k| (NAMES[k], density * weighted(&|i| state.velocity[i][k]))));
+        statistics.extend((0..D).map(|k| (NAMES[k], density * weighted(&|i| state.velocity[i][k]))));
         statistics.extend([
             ("kinetic_energy[J]", 0.5 * density * weighted(&|i| dot(&state.velocity[i], &state.velocity[i]))),
             ("speed_max[m/s]", largest(&mut state.velocity.iter().map(speed))),

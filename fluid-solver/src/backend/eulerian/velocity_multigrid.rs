@@ -62,7 +62,12 @@ impl VelocityMultigrid {
     }
 
     /// z ← approximate A⁻¹ r on the free components.
-    pub fn apply<const D: usize>(&mut self, constraints: &Constraints<D>, r: &[Vector<D>], z: &mut [Vector<D>]) {
+    pub fn apply<const D: usize>(
+        &mut self,
+        constraints: &Constraints<D>,
+        r: &[Vector<D>],
+        z: &mut [Vector<D>],
+    ) {
         let Some(amg) = &mut self.amg else { return z.copy_from_slice(r) };
         for k in 0..D {
             self.right.iter_mut().zip(r).for_each(|(right, r)| *right = r[k]);

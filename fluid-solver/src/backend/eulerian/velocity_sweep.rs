@@ -3,8 +3,8 @@
 use super::incidence::ROWS;
 use crate::boundary::Constraints;
 use crate::element::simplex::Vector;
-use linear::dense::{self, Block};
 use linear::BlockCsr;
+use linear::dense::{self, Block};
 use rayon::prelude::*;
 
 /// One forward and one backward block Gauss–Seidel sweep, each chunk of rows on its own.
