@@ -154,6 +154,7 @@ impl CouplerError {
             }
             CouplerError::Interaction(_) => ExitCode::CaseRefused,
             CouplerError::NotConverged { .. } => ExitCode::NotConverged,
+            CouplerError::Ledger { residual, .. } if !residual.is_finite() => ExitCode::NonFinite,
             CouplerError::Ledger { .. } => ExitCode::Ledger,
             CouplerError::StepTooSmall { .. } => ExitCode::TimeStepTooSmall,
             CouplerError::Interrupted { .. } => ExitCode::Interrupted,

@@ -62,10 +62,10 @@ impl Exchange {
         self.felt.extend_from_slice(samples);
         let last = std::mem::take(&mut self.hydro);
         self.owed.clear();
-        self.owed.extend_from_slice(owed.impulses());
+        self.owed.extend_from_slice(owed.to_grains());
         for (row, ((before, now), sample)) in self.before.iter().zip(grains).zip(samples).enumerate() {
             let grain = GrainRow { velocity: now.velocity, ..*before };
-            self.hydro.push(interaction.evaluate(&grain, sample, owed.of(row), step)?);
+            self.hydro.push(interaction.evaluate(&grain, sample, owed.to_grains()[row], step)?);
         }
         if let Some(relaxation) = relaxation {
             self.relax(&last, relaxation);
@@ -92,8 +92,8 @@ impl Exchange {
         }
     }
 
-    /// The reactions, now that the grains have moved, and what they have received.
-    pub fn react(&mut self, grains: &[GrainRow], impulses: &[ImpulseRow], step: f64) {
+    /// The reactions, now that the grains have moved, with what is owed to the fluid; and what the grains have received.
+    pub fn react(&mut self, grains: &[GrainRow], impulses: &[ImpulseRow], owed: &Owed, step: f64) {
         self.reactions.clear();
         self.received.clear();
         for (row, before) in self.before.iter().enumerate() {
@@ -102,7 +102,12 @@ impl Exchange {
             let passage = Passage { before, after: &grains[row], sample, hydro, impulse };
             // Outside the fluid nothing is exchanged.
             let is_inside = sample.density > 0.0;
-            self.reactions.push(if is_inside { reaction(&passage, step) } else { ReactionRow::default() });
+            let force = owed.to_fluid()[row].map(|impulse| impulse / step);
+            self.reactions.push(if is_inside {
+                ReactionRow { force, ..reaction(&passage, step) }
+            } else {
+                ReactionRow::default()
+            });
             let change: Vector = from_fn(|k| grains[row].velocity[k] - before.velocity[k]);
             self.received.push(from_fn(|k| {
                 impulse.drag[k] + hydro.force[k] * step - hydro.added_mass * change[k]
@@ -112,7 +117,8 @@ impl Exchange {
 
     /// Impulse that the fluid's equations give to the grain of a row by drag and stress, at these samples \[N s\].
     fn given(&self, row: usize, sample: &SampleRow, shape: Shape, step: f64) -> Vector {
-        if self.felt[row].density == 0.0 {
+        // A grain that has left the fluid has exchanged nothing with it in this window.
+        if sample.density == 0.0 {
             return [0.0; 3];
         }
         let volume = shape.volume(self.before[row].radius);
@@ -124,21 +130,36 @@ impl Exchange {
         })
     }
 
-    /// Books the window: what the fluid gave, and what it gave without its grain receiving it, which is owed to the grain
-    /// from now on. What was owed before is paid.
+    /// Books the window. What the fluid gave without its grain receiving it is owed from now on: the share of the stress
+    /// to the fluid, the share of the drag to the grain. What was owed before is paid.
     pub fn settle(&self, samples: &[SampleRow], shape: Shape, step: f64, owed: &mut Owed) -> Crossed {
         let mut crossed = Crossed::default();
         for (row, sample) in samples.iter().enumerate() {
             let gross = self.given(row, sample, shape, step);
-            let given: Vector = from_fn(|k| gross[k] - self.reactions[row].force[k] * step);
+            let is_inside = sample.density > 0.0;
+            let paid = self.reactions[row].force.map(|force| if is_inside { force * step } else { 0.0 });
             let received = self.received[row];
-            owed.add(row, from_fn(|k| given[k] - received[k]));
+            let late = self.late_stress(row, sample, shape, step);
+            let to_fluid = from_fn(|k| late[k] - paid[k]);
+            let to_grain = from_fn(|k| gross[k] - received[k] - late[k]);
+            owed.add(row, to_grain, to_fluid);
             for k in 0..3 {
-                crossed.given[k] += given[k];
+                crossed.given[k] += gross[k] - paid[k];
                 crossed.received[k] += received[k];
             }
         }
         crossed
+    }
+
+    /// Impulse of the stress at these samples beyond that of the samples felt \[N s\].
+    fn late_stress(&self, row: usize, sample: &SampleRow, shape: Shape, step: f64) -> Vector {
+        let felt = &self.felt[row];
+        if sample.density == 0.0 {
+            return [0.0; 3];
+        }
+        let stress = |s: &SampleRow, k: usize| s.viscous_stress_divergence[k] - s.pressure_gradient[k];
+        let volume = shape.volume(self.before[row].radius);
+        from_fn(|k| volume * step * (stress(sample, k) - stress(felt, k)))
     }
 
     /// The change of the forces in this iteration: what the fluid gives by its newest samples against what the grains

@@ -1,19 +1,20 @@
-//! Impulses that the fluid gave and the grain has not yet received: carried from window to window.
+//! Impulses that one side gave and the other has not yet received: carried from window to window, grain by grain.
 
 use interface::frames::GrainRow;
 use interface::ledger::Vector;
 
-/// What is owed to each grain \[N s\].
+/// What is owed for each grain \[N s\]: to the grain the drag, to the fluid the stress that came too late for the grain.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Owed {
     ids: Vec<u64>,
-    impulses: Vec<Vector>,
+    to_grains: Vec<Vector>,
+    to_fluid: Vec<Vector>,
 }
 
 impl Owed {
     /// From a restart point.
-    pub fn new(ids: Vec<u64>, impulses: Vec<Vector>) -> Owed {
-        Owed { ids, impulses }
+    pub fn new(ids: Vec<u64>, to_grains: Vec<Vector>, to_fluid: Vec<Vector>) -> Owed {
+        Owed { ids, to_grains, to_fluid }
     }
 
     /// Identities in row order.
@@ -21,40 +22,40 @@ impl Owed {
         &self.ids
     }
 
-    /// Impulses in row order.
-    pub fn impulses(&self) -> &[Vector] {
-        &self.impulses
+    /// To each grain, in row order.
+    pub fn to_grains(&self) -> &[Vector] {
+        &self.to_grains
     }
 
-    /// Follows a new order of rows: nothing is owed for the newborn; what was owed for grains that are gone is
-    /// returned, for the books.
-    pub fn follow(&mut self, grains: &[GrainRow]) -> Vector {
-        let mut order: Vec<(u64, Vector)> = self.ids.iter().copied().zip(self.impulses.iter().copied()).collect();
-        order.sort_unstable_by_key(|(id, _)| *id);
-        let mut lost = self.sum();
+    /// To the fluid for each grain, in row order.
+    pub fn to_fluid(&self) -> &[Vector] {
+        &self.to_fluid
+    }
+
+    /// Follows a new order of rows: nothing is owed for the newborn, and what was owed for grains that are gone goes with
+    /// them.
+    pub fn follow(&mut self, grains: &[GrainRow]) {
+        let mut order: Vec<(u64, usize)> = self.ids.iter().enumerate().map(|(row, id)| (*id, row)).collect();
+        order.sort_unstable();
+        let old_row = |id: u64| order.binary_search_by_key(&id, |(known, _)| *known).ok().map(|at| order[at].1);
+        let rows: Vec<Option<usize>> = grains.iter().map(|grain| old_row(grain.id)).collect();
+        let pick = |old: &[Vector]| rows.iter().map(|row| row.map_or([0.0; 3], |row| old[row])).collect();
+        (self.to_grains, self.to_fluid) = (pick(&self.to_grains), pick(&self.to_fluid));
         self.ids = grains.iter().map(|grain| grain.id).collect();
-        self.impulses = grains
-            .iter()
-            .map(|grain| order.binary_search_by_key(&grain.id, |(id, _)| *id).map_or([0.0; 3], |at| order[at].1))
-            .collect();
-        let kept = self.sum();
-        (0..3).for_each(|k| lost[k] -= kept[k]);
-        lost
-    }
-
-    /// What is owed to the grain of a row.
-    pub fn of(&self, row: usize) -> Vector {
-        self.impulses[row]
     }
 
     /// Owes more.
-    pub fn add(&mut self, row: usize, impulse: Vector) {
-        (0..3).for_each(|k| self.impulses[row][k] += impulse[k]);
+    pub fn add(&mut self, row: usize, to_grain: Vector, to_fluid: Vector) {
+        for k in 0..3 {
+            self.to_grains[row][k] += to_grain[k];
+            self.to_fluid[row][k] += to_fluid[k];
+        }
     }
 
-    /// Sum over all grains.
+    /// Sum over both sides and all grains.
     pub fn sum(&self) -> Vector {
-        self.impulses.iter().fold([0.0; 3], |sum, impulse| std::array::from_fn(|k| sum[k] + impulse[k]))
+        let all = self.to_grains.iter().chain(&self.to_fluid);
+        all.fold([0.0; 3], |sum, impulse| std::array::from_fn(|k| sum[k] + impulse[k]))
     }
 }
 
@@ -67,11 +68,13 @@ mod tests {
     }
 
     #[test]
-    fn debts_follow_their_grains_and_those_of_the_dead_are_told() {
+    fn debts_follow_their_grains_and_go_with_the_dead() {
         let mut owed = Owed::default();
-        assert_eq!(owed.follow(&[grain(0), grain(1), grain(2)]), [0.0; 3]);
-        (0..3).for_each(|row| owed.add(row, [row as f64 + 1.0, 0.0, 0.0]));
-        assert_eq!(owed.follow(&[grain(2), grain(7), grain(0)]), [2.0, 0.0, 0.0]);
-        assert_eq!(owed.impulses(), [[3.0, 0.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0]]);
+        owed.follow(&[grain(0), grain(1), grain(2)]);
+        (0..3).for_each(|row| owed.add(row, [row as f64 + 1.0, 0.0, 0.0], [0.0, row as f64, 0.0]));
+        assert_eq!(owed.sum(), [6.0, 3.0, 0.0]);
+        owed.follow(&[grain(2), grain(7), grain(0)]);
+        assert_eq!(owed.to_grains(), [[3.0, 0.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0]]);
+        assert_eq!(owed.to_fluid(), [[0.0, 2.0, 0.0], [0.0; 3], [0.0; 3]]);
     }
 }

@@ -5,6 +5,7 @@ use crate::launch::{Child, locate};
 use crate::session::Session;
 use crate::simulation::{Simulation, Watcher};
 use crate::verdict;
+use case_io::check::Checks;
 use case_io::document::Case;
 use case_io::exit_code::ExitCode;
 use case_io::output::{OutputError, replace_file};
@@ -14,11 +15,12 @@ use interface::InterfaceError;
 use interface::assignment::Assignment;
 use interface::message::{Ready, Usage};
 use interface::participant::Hold;
-use interface::run::{RunId, Who, sweep};
+use interface::run::{RunId, Who, free_shared_memory, sweep};
 use interface::transport::{Deadlines, shared_memory};
 use interface::usage::own_usage;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -70,10 +72,14 @@ impl Origin {
     /// The folder is no output of `coupler run`.
     pub fn read(out: &Path) -> Result<Origin, CouplerError> {
         let path = out.join(ORIGIN);
-        let text = fs::read_to_string(&path).map_err(OutputError::system("read", &path))?;
-        serde_json::from_str(&text).map_err(|error| CouplerError::CommandLine {
-            message: format!("{}: {error}; name the output folder of a run", path.display()),
-        })
+        let no_run = |found: &dyn Display| CouplerError::CommandLine {
+            message: format!(
+                "{}: {found}; allowed: the output folder of a run; name one, of a sweep the folder of one of its runs",
+                path.display()
+            ),
+        };
+        let text = fs::read_to_string(&path).map_err(|error| no_run(&error))?;
+        serde_json::from_str(&text).map_err(|error| no_run(&error))
     }
 }
 
@@ -168,6 +174,7 @@ fn simulate(
     watcher: &mut dyn Watcher,
     story: &mut Story,
 ) -> Result<(), CouplerError> {
+    require_sound_checks(case)?;
     let (session, mut children) = launch(case, request, out, resume)?;
     let mut simulation = match Simulation::start(case, session, out, resume) {
         Ok(simulation) => simulation,
@@ -206,6 +213,7 @@ pub fn survey(case: &Case, request: &Request) -> Result<Vec<String>, CouplerErro
 }
 
 fn survey_into(case: &Case, request: &Request, out: &Path) -> Result<Vec<String>, CouplerError> {
+    require_sound_checks(case)?;
     make_folders(out)?;
     let (mut session, mut children) = launch(case, request, out, None)?;
     let plan = Plan::of(&case.document).hash();
@@ -218,6 +226,28 @@ fn survey_into(case: &Case, request: &Request, out: &Path) -> Result<Vec<String>
         ready.notes.iter().map(|note| format!("{who}: {note}")).collect()
     };
     Ok(result?.into_iter().flat_map(notes).collect())
+}
+
+/// A check that cannot be understood is found before the run, not after it.
+fn require_sound_checks(case: &Case) -> Result<(), CouplerError> {
+    if let Some(checks) = Checks::load(&case.folder)? {
+        checks.of(case)?;
+    }
+    Ok(())
+}
+
+/// The wires of a run and its first frames touch this much shared memory; a page of it that cannot be had kills
+/// whoever touches it.
+const LEAST_SHARED_MEMORY: u64 = 2 << 20;
+/// Rows that the first frames have room for.
+const FIRST_ROWS: u64 = 1024;
+
+fn require_shared_memory() -> Result<(), CouplerError> {
+    let (needed, free) = (LEAST_SHARED_MEMORY, free_shared_memory()?);
+    if needed <= free {
+        return Ok(());
+    }
+    Err(InterfaceError::NoSpace { needed, free, rows: FIRST_ROWS, path: "/dev/shm".to_string() }.into())
 }
 
 /// Starts what the case needs and waits until all have joined.
@@ -237,6 +267,7 @@ fn launch(
     let log = out.join("log.txt");
     let header = format!("run {id}\nversion {}\n", env!("CARGO_PKG_VERSION"));
     fs::write(&log, header).map_err(OutputError::system("write", &log))?;
+    require_shared_memory()?;
     let ends = shared_memory::create(id, deadlines)?;
     let mut session =
         Session { ends, dem: members.contains(&Who::Dem), fluid: members.contains(&Who::Fluid) };

@@ -82,7 +82,7 @@ pub fn coupled_window(
         let ends = &mut session.ends;
         let (grains, impulses) =
             (ends.grains.of(window.number, iteration)?, ends.impulse.of(window.number, iteration)?);
-        exchange.react(&grains, &impulses, window.step);
+        exchange.react(&grains, &impulses, owed, window.step);
         if !coupling.two_way {
             exchange.reactions.fill(Default::default());
         }

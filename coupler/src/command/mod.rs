@@ -10,7 +10,8 @@ mod run;
 
 use crate::error::CouplerError;
 use case_io::exit_code::ExitCode;
-use clap::{Args, Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, Parser, Subcommand};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -58,12 +59,7 @@ struct CaseArguments {
 pub fn main() -> std::process::ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) => {
-            // Nothing can be done where not even this can be printed.
-            let _ = error.print();
-            let code = if error.use_stderr() { ExitCode::CommandLine } else { ExitCode::Done };
-            return code.into();
-        }
+        Err(error) => return refuse(&error).into(),
     };
     let result = match arguments.command {
         Command::Run(arguments) => run::run(arguments),
@@ -76,10 +72,34 @@ pub fn main() -> std::process::ExitCode {
     result.unwrap_or_else(|error| fail(&error)).into()
 }
 
+/// Help and version in full, where they are asked for or nothing is; what is wrong in one line.
+fn refuse(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        // Nothing can be done where not even this can be printed.
+        let _ = error.print();
+        return if error.use_stderr() { ExitCode::CommandLine } else { ExitCode::Done };
+    }
+    let text = error.to_string();
+    let says_something = |line: &&str| !line.is_empty() && !line.starts_with("For more information");
+    let lines: Vec<&str> = text.lines().map(str::trim).filter(says_something).collect();
+    let mut message = lines.join("; ").trim_start_matches("error: ").to_string();
+    if error.kind() == ErrorKind::InvalidSubcommand {
+        let command = Arguments::command();
+        let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        message += &format!("; allowed: {}", names.join(", "));
+    }
+    message += "; see --help";
+    fail(&CouplerError::CommandLine { message })
+}
+
 /// The one line of an error.
 fn fail(error: &CouplerError) -> ExitCode {
-    let _ = writeln!(std::io::stderr(), "error: {error}");
+    complain(&error.to_string());
     error.exit_code()
+}
+
+fn complain(message: &str) {
+    let _ = writeln!(std::io::stderr(), "error: {message}");
 }
 
 /// A line on standard output; a closed pipe is the reader's business.

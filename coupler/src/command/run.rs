@@ -1,7 +1,7 @@
 //! `coupler run CASE`.
 
 use super::progress::Progress;
-use super::{CaseArguments, fail, say};
+use super::{CaseArguments, complain, say};
 use crate::error::CouplerError;
 use crate::run::{Request, run as run_case};
 use case_io::document::{Case, Overrides};
@@ -130,12 +130,8 @@ fn close(case: &Case, summary: &Summary, folder: &Path, manner: &Manner) {
         say(&serde_json::to_string(summary).unwrap_or_default());
     }
     if !matches!(summary.exit.code, ExitCode::Done | ExitCode::CheckFailed) {
-        let reason = CouplerError::Participant {
-            who: "run",
-            exit_code: i32::from(summary.exit.code.code()),
-            message: summary.exit.reason.clone(),
-        };
-        fail(&reason);
+        let reason = &summary.exit.reason;
+        complain(&case.run.as_ref().map_or_else(|| reason.clone(), |run| format!("run {run}: {reason}")));
     }
     if manner.quiet || manner.json {
         return;

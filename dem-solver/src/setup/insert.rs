@@ -2,6 +2,7 @@
 
 use case_io::document::{self, Case, Insertion, Placement};
 
+use super::at_key;
 use super::surroundings::material_index;
 use crate::error::DemError;
 use crate::insertion::{
@@ -14,10 +15,13 @@ use crate::world::World;
 /// More grains than this from one lattice are taken for a mistake in its spacing.
 const MOST_GRAINS: f64 = 1e8;
 
-/// The world of a case at the start: each insertion in the order of the case, with random numbers of its own.
-pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<World<D>, DemError> {
+/// The world of a case at the start: each insertion in the order of the case, with random numbers of its own; and
+/// the row of the first grain of each.
+pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<(World<D>, Vec<usize>), DemError> {
     let mut world = World::new();
+    let mut firsts = Vec::new();
     for (index, insertion) in case.document.insertion.iter().enumerate() {
+        firsts.push(world.grains.len());
         let mut random = Random::new(case.document.case.seed ^ (index as u64) << 32);
         let batch = batch(case, index, insertion)?;
         let place = Place { case, index, scene, insertion };
@@ -46,18 +50,24 @@ pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<World<D>,
             }
         }
     }
-    Ok(world)
+    Ok((world, firsts))
 }
 
-/// No two centres coincide, and none is outside the domain.
-pub fn check_places<const D: usize>(case: &Case, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
+/// No two centres coincide, and none is outside the domain; `firsts` are the insertions' first rows.
+pub fn check_places<const D: usize>(
+    case: &Case,
+    scene: &Scene<D>,
+    world: &World<D>,
+    firsts: &[usize],
+) -> Result<(), DemError> {
+    let insertion = |row: usize| format!("insertion[{}]", firsts.partition_point(|first| *first <= row) - 1);
     let at = |row: usize| {
         let centre = embed(&world.grains.place[row].centre);
         format!("({}, {}, {}) m", centre.x, centre.y, centre.z)
     };
     if let Some((one, other)) = coincident(&world.grains.place, &scene.domain) {
         let found = format!("grains {one} and {other} both have their centre at {}", at(one));
-        return Err(case.error("insertion", found, "", "insert grains apart from each other").into());
+        return Err(case.error(&insertion(other), found, "", "insert grains apart from each other").into());
     }
     if let Some(row) = world.grains.place.iter().position(|place| !scene.domain.holds(&place.centre)) {
         let (lower, upper) = (embed(&scene.domain.lower), embed(&scene.domain.upper));
@@ -67,7 +77,7 @@ pub fn check_places<const D: usize>(case: &Case, scene: &Scene<D>, world: &World
             lower.x, lower.y, lower.z, upper.x, upper.y, upper.z
         );
         return Err(case
-            .error("insertion", found, allowed, "move the grain, or enlarge grains.domain")
+            .error(&insertion(row), found, allowed, "move the grain, or enlarge grains.domain")
             .into());
     }
     Ok(())
@@ -154,7 +164,10 @@ impl<const D: usize> Place<'_, D> {
         random: &mut Random,
         world: &mut World<D>,
     ) -> Result<(), DemError> {
-        for stated in read_grains(&self.case.folder.join(&file.path))? {
+        let key = format!("insertion[{}].file.path", self.index);
+        let grains = read_grains(&self.case.folder.join(&file.path))
+            .map_err(|error| at_key(self.case, &key, error))?;
+        for stated in grains {
             let own = self.insertion.diameters().is_none();
             let radius = if own { stated.radius } else { Some(batch.sizes.draw(random)) };
             let radius = radius.ok_or_else(|| {

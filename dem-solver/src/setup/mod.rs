@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use case_io::document::Case;
 
-use crate::critical_time_step::Substep;
+use crate::critical_time_step::{Substep, critical_time_step, substeps};
 use crate::error::DemError;
 use crate::scene::Scene;
 use crate::wall::Facet;
@@ -43,15 +43,57 @@ pub fn set_up<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Resul
         return Err(case.error("grains", "missing", "", "add [grains] to a case that has grains").into());
     };
     let mut scene = surroundings::scene(case, grains, mesh)?;
-    let world = insert::insert(case, &scene)?;
+    let (world, firsts) = insert::insert(case, &scene)?;
     if grains.domain.is_none() {
         let domain = surroundings::default_domain(&scene, &world, mesh);
         scene = scene.in_domain(domain);
     }
-    insert::check_places(case, &scene, &world)?;
+    insert::check_places(case, &scene, &world, &firsts)?;
     let substep = match document.time.substep {
         Some(step) => Substep::Given(step.si()),
         None => Substep::Fraction(document.time.substep_safety),
     };
+    check_substeps(case, &scene, &world, substep)?;
     Ok(Setup { scene, world, substep })
+}
+
+/// The first window can be stepped through: an impossible substep is found before the run.
+fn check_substeps<const D: usize>(
+    case: &Case,
+    scene: &Scene<D>,
+    world: &World<D>,
+    substep: Substep,
+) -> Result<(), DemError> {
+    let critical = critical_time_step(scene, world);
+    match substeps(case.document.window(), substep, &critical) {
+        Err(DemError::StepTooLarge { step, limit, binding }) => {
+            let allowed = format!("at most the critical step {limit:.4e} s, which {binding} sets");
+            let advice = "take a smaller substep or a softer material";
+            Err(case.error("time.substep", format_args!("found {step} s"), allowed, advice).into())
+        }
+        Err(DemError::TooManySubsteps { window, step, count, most, .. }) => {
+            let found = format!("{window} s takes {count:.3e} substeps of {step:.3e} s");
+            let allowed = format!("at most {most} substeps");
+            let advice = match substep {
+                Substep::Given(_) => "take a shorter window or a longer time.substep".to_string(),
+                Substep::Fraction(_) => {
+                    format!("{} sets the substep: take a shorter window or a softer material", critical.binding)
+                }
+            };
+            Err(case.error("time.window", found, allowed, advice).into())
+        }
+        Err(other) => Err(other),
+        Ok(_) => Ok(()),
+    }
+}
+
+/// The error of a file that the case names at `key`, told with the key.
+fn at_key(case: &Case, key: &str, error: DemError) -> DemError {
+    match error {
+        DemError::BadFile { path, what } => {
+            let found = format!("{}: {what}", path.display());
+            case.error(key, found, "", "repair the file or name another").into()
+        }
+        other => other,
+    }
 }

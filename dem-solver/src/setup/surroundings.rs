@@ -3,7 +3,7 @@
 use case_io::document::{self, Case, WallShape};
 use case_io::error::CaseError;
 
-use super::FluidMesh;
+use super::{FluidMesh, at_key};
 use crate::contact::NormalLaw;
 use crate::contact::normal::{Hertz, Hooke};
 use crate::domain::Domain;
@@ -113,7 +113,8 @@ fn walls<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Result<Wal
                 point: Vector::from(plane.point.to_array()),
                 normal: Vector::from(plane.unit_normal()),
             })],
-            Some(WallShape::Stl(stl)) => read_stl(&case.folder.join(&stl.path), stl.scale)?
+            Some(WallShape::Stl(stl)) => read_stl(&case.folder.join(&stl.path), stl.scale)
+                .map_err(|error| at_key(case, &key("stl.path"), error))?
                 .iter()
                 .map(spatial::<D>)
                 .collect::<Option<_>>()

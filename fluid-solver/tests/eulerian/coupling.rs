@@ -258,3 +258,79 @@ fn an_enclosed_fluid_reports_the_volume_that_grains_displace_and_goes_on() {
     assert!((solution.ledger.volume_defect / volume - 1.0).abs() < 1e-9);
     assert!(defect(&solution.ledger) <= 1e-12);
 }
+
+/// A tank with random grains at rest in its lower half.
+fn tank(response: Response) -> (Eulerian<3, 4>, Vec<GrainRow>) {
+    let mesh = box_mesh::<3, 4>([0.0; 3], [0.2; 3], [6; 3], [false; 3], Some(0.2));
+    let flow = flow(mesh, water([0.0, 0.0, -9.81]), |name| match name {
+        "z-max" => Condition::Outlet { pressure: 1e5 },
+        "x-min" => Condition::Slip,
+        _ => Condition::NoSlip,
+    });
+    let mut backend = Eulerian::new(flow, response, 1.0);
+    let mut grains = cloud::<3>(500, 0.2, &mut Random(1));
+    for grain in &mut grains {
+        grain.position[2] *= 0.5;
+        grain.velocity = [0.0; 3];
+    }
+    backend.populate(0.0, &grains).unwrap();
+    (backend, grains)
+}
+
+#[test]
+fn a_bed_with_huge_drag_does_not_stir_a_fluid_at_rest_and_is_carried_by_its_pressure() {
+    let (mut backend, grains) = tank(Response::TwoWay);
+    let row = ReactionRow { exchange_coefficient: 1e6, ..ReactionRow::default() };
+    for n in 0..100 {
+        let step = Step { time: n as f64 * 1e-3, length: 1e-3 };
+        backend.save();
+        backend.project(step, &grains).unwrap();
+        let solution = backend.solve(step, &vec![row; grains.len()]).unwrap();
+        assert!(largest_speed(backend.flow()) <= 1e-10, "{n}: {:e}", largest_speed(backend.flow()));
+        assert!(defect(&solution.ledger) <= 1e-12);
+        backend.commit(step);
+    }
+    backend.prepare_samples();
+    for row in 0..grains.len() {
+        let slope = backend.sample(row).pressure_gradient;
+        assert!((slope[2] / (-9.81 * DENSITY) - 1.0).abs() < 1e-8 && slope[0].abs() < 1e-4, "{slope:?}");
+    }
+}
+
+#[test]
+fn one_way_grains_leave_the_fluid_alone_and_the_books_closed() {
+    let (mut backend, grains) = tank(Response::OneWay);
+    let row = ReactionRow {
+        exchange_coefficient: 1e-2,
+        target_velocity: [0.3, 0.0, -0.1],
+        ..ReactionRow::default()
+    };
+    let step = Step { time: 0.0, length: 1e-3 };
+    backend.save();
+    backend.project(step, &grains).unwrap();
+    let solution = backend.solve(step, &vec![row; grains.len()]).unwrap();
+    backend.prepare_samples();
+    assert!(largest_speed(backend.flow()) <= 1e-10);
+    assert!(backend.sample(0).void_fraction < 1.0 && solution.ledger.drag[0] < 0.0);
+    assert!(defect(&solution.ledger) <= 1e-12, "{:?}", solution.ledger);
+}
+
+#[test]
+fn a_grain_outside_the_fluid_samples_nothing_and_gives_nothing() {
+    let (mut backend, mut grains) = tank(Response::TwoWay);
+    grains.truncate(3);
+    grains[1].position = [0.1, 0.1, 0.5];
+    backend.populate(0.0, &grains).unwrap();
+    let step = Step { time: 0.0, length: 1e-3 };
+    backend.save();
+    backend.project(step, &grains).unwrap();
+    let row = ReactionRow { force: [0.0, 0.0, 1e3], exchange_coefficient: 1.0, ..ReactionRow::default() };
+    let mut reactions = vec![ReactionRow::default(); 3];
+    reactions[1] = row;
+    let solution = backend.solve(step, &reactions).unwrap();
+    backend.prepare_samples();
+    assert_eq!(backend.sample(1).density, 0.0);
+    assert_eq!(backend.sample(0).density, DENSITY);
+    assert_eq!((solution.ledger.drag, solution.ledger.explicit), ([0.0; 3], [0.0; 3]));
+    assert!(largest_speed(backend.flow()) <= 1e-10);
+}

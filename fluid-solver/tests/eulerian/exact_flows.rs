@@ -23,11 +23,10 @@ fn taylor_green(n: usize) -> (f64, f64) {
     let start: Vec<f64> = flow.mesh().nodes().iter().map(|x| pressure(x, 0.0)).collect();
     flow.state_mut().pressure.copy_from_slice(&start);
     advance(&mut flow, 0.0, 1.0 / n as f64, n, |_, _| ());
-    let errors = (
+    (
         l2_error(flow.mesh(), &flow.state().velocity, |x| velocity(x, 1.0)),
         pressure_error(flow.mesh(), &flow.state().pressure, |x| pressure(x, 1.0)),
-    );
-    errors
+    )
 }
 
 #[test]
