@@ -122,6 +122,8 @@ struct Story {
     ledger: BTreeMap<String, case_io::summary::LedgerMaximum>,
     usages: Vec<(Who, Usage)>,
     windows_seconds: f64,
+    /// Of the windows, what the participants were not computing: laws, frames, books, series.
+    exchange_seconds: f64,
 }
 
 impl Story {
@@ -130,6 +132,7 @@ impl Story {
         let mut seconds: BTreeMap<String, Seconds> =
             [("coupler".to_string(), Seconds { wall, cpu: own.cpu_seconds })].into();
         seconds.insert("windows".to_string(), Seconds { wall: self.windows_seconds, cpu: 0.0 });
+        seconds.insert("exchange".to_string(), Seconds { wall: self.exchange_seconds, cpu: 0.0 });
         let mut thrift = BTreeMap::new();
         let mut peak_memory = own.peak_memory;
         for (who, usage) in self.usages {
@@ -181,8 +184,10 @@ fn simulate(
         Err(error) => return Err(explain_death(error, &mut children)),
     };
     let start = Instant::now();
+    let waited = simulation.waited();
     let result = simulation.run(interrupted, watcher);
     story.windows_seconds = start.elapsed().as_secs_f64();
+    story.exchange_seconds = story.windows_seconds - (simulation.waited() - waited);
     (story.time, story.counts, story.ledger) =
         (simulation.time(), simulation.counts, simulation.ledger.maxima());
     let reason = match &result {
@@ -270,7 +275,7 @@ fn launch(
     require_shared_memory()?;
     let ends = shared_memory::create(id, deadlines)?;
     let mut session =
-        Session { ends, dem: members.contains(&Who::Dem), fluid: members.contains(&Who::Fluid) };
+        Session { ends, dem: members.contains(&Who::Dem), fluid: members.contains(&Who::Fluid), waited: 0.0 };
     let mut children = Vec::new();
     for (who, executable) in members.iter().zip(&executables) {
         let part = assignment(case, request, out, resume, *who, id, deadlines);

@@ -8,6 +8,7 @@ use interface::message::{
 };
 use interface::run::Who;
 use interface::transport::{CommandSender, CouplerEnds, FrameView, Stamp};
+use interface::usage::Stopwatch;
 use std::time::Duration;
 
 /// The participants of a run.
@@ -18,6 +19,8 @@ pub struct Session {
     pub dem: bool,
     /// A fluid takes part.
     pub fluid: bool,
+    /// Seconds spent waiting for answers so far.
+    pub waited: f64,
 }
 
 /// An answer to an open window.
@@ -64,7 +67,10 @@ impl Session {
 
     fn ask(&mut self, who: Who, command: &Command) -> Result<Report, CouplerError> {
         use interface::InterfaceError::Participant;
-        self.wire(who).ask(command).map_err(|error| match error {
+        let mut clock = Stopwatch::start();
+        let report = self.wire(who).ask(command);
+        self.waited += clock.lap();
+        report.map_err(|error| match error {
             Participant { exit_code, message } => {
                 CouplerError::Participant { who: who.name(), exit_code, message }
             }

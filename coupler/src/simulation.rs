@@ -227,6 +227,11 @@ impl Simulation {
         self.clock.time
     }
 
+    /// Seconds spent waiting for the participants so far.
+    pub fn waited(&self) -> f64 {
+        self.session.waited
+    }
+
     /// Back to the conversation, to end it.
     pub fn into_session(self) -> Session {
         self.session

@@ -64,7 +64,7 @@ fn run_in_process(path: &Path, out: &Path) {
     let dem = std::thread::spawn(move || dem_solver::program::take_part(&parts.0, dem));
     let fluid_thread = |fluid: FluidEnds| std::thread::spawn(move || fluid_solver::program::take_part(&parts.1, fluid));
     let fluid = fluid_thread(fluid);
-    let session = Session { ends: coupler, dem: true, fluid: true };
+    let session = Session { ends: coupler, dem: true, fluid: true, waited: 0.0 };
     let mut simulation = Simulation::start(&case, session, out, None).unwrap();
     simulation.run(&AtomicBool::new(false), &mut Nobody).unwrap();
     let mut session = simulation.into_session();
