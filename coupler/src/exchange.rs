@@ -109,9 +109,8 @@ impl Exchange {
                 ReactionRow::default()
             });
             let change: Vector = from_fn(|k| grains[row].velocity[k] - before.velocity[k]);
-            self.received.push(from_fn(|k| {
-                impulse.drag[k] + hydro.force[k] * step - hydro.added_mass * change[k]
-            }));
+            self.received
+                .push(from_fn(|k| impulse.drag[k] + hydro.force[k] * step - hydro.added_mass * change[k]));
         }
     }
 
@@ -130,8 +129,8 @@ impl Exchange {
         })
     }
 
-    /// Books the window. What the fluid gave without its grain receiving it is owed from now on: the share of the stress
-    /// to the fluid, the share of the drag to the grain. What was owed before is paid.
+    /// Books the window. What the fluid gave without its grain receiving it is owed from now on: drag to the grain, stress
+    /// to the grain and the fluid that it displaces by their inertia. What was owed before is paid.
     pub fn settle(&self, samples: &[SampleRow], shape: Shape, step: f64, owed: &mut Owed) -> Crossed {
         let mut crossed = Crossed::default();
         for (row, sample) in samples.iter().enumerate() {
@@ -139,7 +138,7 @@ impl Exchange {
             let is_inside = sample.density > 0.0;
             let paid = self.reactions[row].force.map(|force| if is_inside { force * step } else { 0.0 });
             let received = self.received[row];
-            let late = self.late_stress(row, sample, shape, step);
+            let late = self.late_stress_of_fluid(row, sample, shape, step);
             let to_fluid = from_fn(|k| late[k] - paid[k]);
             let to_grain = from_fn(|k| gross[k] - received[k] - late[k]);
             owed.add(row, to_grain, to_fluid);
@@ -151,23 +150,28 @@ impl Exchange {
         crossed
     }
 
-    /// Impulse of the stress at these samples beyond that of the samples felt \[N s\].
-    fn late_stress(&self, row: usize, sample: &SampleRow, shape: Shape, step: f64) -> Vector {
+    /// The fluid's share ρV/(m + ρV) of the impulse of the stress at these samples beyond that of the samples felt \[N s\].
+    fn late_stress_of_fluid(&self, row: usize, sample: &SampleRow, shape: Shape, step: f64) -> Vector {
         let felt = &self.felt[row];
         if sample.density == 0.0 {
             return [0.0; 3];
         }
         let stress = |s: &SampleRow, k: usize| s.viscous_stress_divergence[k] - s.pressure_gradient[k];
         let volume = shape.volume(self.before[row].radius);
-        from_fn(|k| volume * step * (stress(sample, k) - stress(felt, k)))
+        let displaced = sample.density * volume;
+        let share = displaced / (self.before[row].mass + displaced);
+        from_fn(|k| share * volume * step * (stress(sample, k) - stress(felt, k)))
     }
 
     /// The change of the forces in this iteration: what the fluid gives by its newest samples against what the grains
     /// received.
     pub fn force_change(&self, samples: &[SampleRow], shape: Shape, step: f64) -> Change {
         let force = |impulse: Vector| impulse.map(|component| component / step);
-        let given: Vec<Vector> =
-            samples.iter().enumerate().map(|(row, sample)| force(self.given(row, sample, shape, step))).collect();
+        let given: Vec<Vector> = samples
+            .iter()
+            .enumerate()
+            .map(|(row, sample)| force(self.given(row, sample, shape, step)))
+            .collect();
         let net = |(received, owed): (&Vector, &Vector)| force(from_fn(|k| received[k] - owed[k]));
         let received: Vec<Vector> = self.received.iter().zip(&self.owed).map(net).collect();
         ForceResidual::change(&received, &given)

@@ -97,14 +97,15 @@ fn residuals(outcome: &Outcome, owed: Vector) -> Residuals {
         for k in 0..3 {
             received[k] = grains.drag[k] + grains.explicit[k] + grains.supports[k] - crossed.received[k];
             given[k] = fluid.drag[k] + fluid.stress[k] - fluid.explicit[k] - crossed.given[k];
-            let inside =
-                grains.momentum[k] - grains.momentum_before[k] + fluid.rate[k] + owed[k] - outcome.owed_before[k];
+            let inside = grains.momentum[k] - grains.momentum_before[k] + fluid.rate[k] + owed[k]
+                - outcome.owed_before[k];
             let outside =
                 grains.gravity[k] + grains.walls[k] - grains.supports[k] + fluid.body[k] + fluid.boundary[k];
             momentum[k] = inside - outside;
         }
     }
-    let relative = |defect: Vector, scale: f64| if scale > 0.0 { largest(defect) / scale } else { largest(defect) };
+    let relative =
+        |defect: Vector, scale: f64| if scale > 0.0 { largest(defect) / scale } else { largest(defect) };
     [
         relative(grain_defect, grains.scale),
         relative(fluid_defect, fluid.scale),
@@ -132,7 +133,9 @@ fn fluid_defect(ledger: &FluidLedger) -> Vector {
 
 fn largest(vector: Vector) -> f64 {
     // `max` would drop a NaN.
-    vector.iter().fold(0.0, |largest, component| if component.abs() <= largest { largest } else { component.abs() })
+    vector
+        .iter()
+        .fold(0.0, |largest, component| if component.abs() <= largest { largest } else { component.abs() })
 }
 
 #[cfg(test)]
@@ -173,6 +176,9 @@ mod tests {
         ));
         let mut broken = outcome();
         broken.grains.as_mut().unwrap().drag[2] = f64::NAN;
-        assert!(matches!(ledger.book(&broken, [1.0, 0.0, 0.0], WINDOW), Err(CouplerError::Ledger { row: "grains", .. })));
+        assert!(matches!(
+            ledger.book(&broken, [1.0, 0.0, 0.0], WINDOW),
+            Err(CouplerError::Ledger { row: "grains", .. })
+        ));
     }
 }

@@ -3,7 +3,7 @@
 use interface::frames::GrainRow;
 use interface::ledger::Vector;
 
-/// What is owed for each grain \[N s\]: to the grain the drag, to the fluid the stress that came too late for the grain.
+/// What is owed for each grain \[N s\]: to the grain, and for it to the fluid.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Owed {
     ids: Vec<u64>,
@@ -37,7 +37,8 @@ impl Owed {
     pub fn follow(&mut self, grains: &[GrainRow]) {
         let mut order: Vec<(u64, usize)> = self.ids.iter().enumerate().map(|(row, id)| (*id, row)).collect();
         order.sort_unstable();
-        let old_row = |id: u64| order.binary_search_by_key(&id, |(known, _)| *known).ok().map(|at| order[at].1);
+        let old_row =
+            |id: u64| order.binary_search_by_key(&id, |(known, _)| *known).ok().map(|at| order[at].1);
         let rows: Vec<Option<usize>> = grains.iter().map(|grain| old_row(grain.id)).collect();
         let pick = |old: &[Vector]| rows.iter().map(|row| row.map_or([0.0; 3], |row| old[row])).collect();
         (self.to_grains, self.to_fluid) = (pick(&self.to_grains), pick(&self.to_fluid));

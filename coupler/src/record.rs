@@ -79,9 +79,10 @@ impl Record {
         outcome: &Outcome,
         residuals: &Residuals,
     ) -> Result<(), CouplerError> {
-        let (velocity, force) = outcome.residuals.map_or((0.0, 0.0), |changes| (changes.velocity, changes.force));
-        let counts =
-            [u64::from(outcome.iterations), outcome.substeps, outcome.linear_iterations].map(|count| count as f64);
+        let (velocity, force) =
+            outcome.residuals.map_or((0.0, 0.0), |changes| (changes.velocity, changes.force));
+        let counts = [u64::from(outcome.iterations), outcome.substeps, outcome.linear_iterations]
+            .map(|count| count as f64);
         let [iterations, substeps, linear] = counts;
         self.coupling.row(&[time, step, iterations, substeps, linear, velocity, force])?;
         let row: Vec<f64> = std::iter::once(time).chain(residuals.iter().copied()).collect();

@@ -300,8 +300,12 @@ fn end(
 ) {
     let who = child.who();
     match cause {
-        Some(CouplerError::Interface(InterfaceError::PeerFrozen { who: frozen, .. })) if *frozen == who => child.kill(),
-        Some(CouplerError::Interface(InterfaceError::AnswerOverdue { who: busy, .. })) if *busy == who => child.kill(),
+        Some(CouplerError::Interface(InterfaceError::PeerFrozen { who: frozen, .. })) if *frozen == who => {
+            child.kill()
+        }
+        Some(CouplerError::Interface(InterfaceError::AnswerOverdue { who: busy, .. })) if *busy == who => {
+            child.kill()
+        }
         // A participant that has failed has ended by itself.
         Some(CouplerError::Participant { who: failed, .. }) if *failed == who.name() => {}
         _ if child.status().is_some() => {}

@@ -69,7 +69,8 @@ impl Simulation {
             restart: document.output.restart(end),
         };
         let clock = Clock::new(end.si(), document.window(), document.smallest_window(), intervals);
-        let tolerance = document.coupling.as_ref().map_or(LEDGER_TOLERANCE, |coupling| coupling.ledger_tolerance);
+        let tolerance =
+            document.coupling.as_ref().map_or(LEDGER_TOLERANCE, |coupling| coupling.ledger_tolerance);
         let mut simulation = Simulation {
             session,
             coupling,
@@ -209,7 +210,8 @@ impl Simulation {
         self.counts.iterations += u64::from(outcome.iterations);
         self.counts.substeps += outcome.substeps;
         if let Some(point) = point {
-            let relaxation = self.coupling.as_ref().map_or(Acceleration::None(Unrelaxed), |c| c.relaxation.clone());
+            let relaxation =
+                self.coupling.as_ref().map_or(Acceleration::None(Unrelaxed), |c| c.relaxation.clone());
             let largest_step = self.largest_step;
             let (counts, maxima) = (self.counts, self.ledger.largest());
             let memory =

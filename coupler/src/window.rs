@@ -139,7 +139,8 @@ fn is_finished(
 /// # Errors
 /// A participant's failure.
 pub fn single_window(session: &mut Session, window: Window) -> Result<Outcome, CouplerError> {
-    let mut outcome = Outcome { iterations: 1, largest_step: (f64::INFINITY, f64::INFINITY), ..Outcome::default() };
+    let mut outcome =
+        Outcome { iterations: 1, largest_step: (f64::INFINITY, f64::INFINITY), ..Outcome::default() };
     if session.dem {
         let (ledger, advanced) = session.advance_dem(window, 1, &[])?;
         outcome.grains = Some(ledger);

@@ -158,10 +158,13 @@ impl DemError {
     pub fn exit_code(&self) -> ExitCode {
         match self {
             Self::Case(error) => error.exit_code(),
-            Self::Interface(error) => {
-                u8::try_from(error.exit_code()).ok().and_then(|code| ExitCode::try_from(code).ok()).unwrap_or(ExitCode::Defect)
+            Self::Interface(error) => u8::try_from(error.exit_code())
+                .ok()
+                .and_then(|code| ExitCode::try_from(code).ok())
+                .unwrap_or(ExitCode::Defect),
+            Self::Output(_) | Self::Unreadable { .. } | Self::ForeignCheckpoint { .. } => {
+                ExitCode::Environment
             }
-            Self::Output(_) | Self::Unreadable { .. } | Self::ForeignCheckpoint { .. } => ExitCode::Environment,
             Self::Fault { fault: Fault::NotFinite { .. }, .. } | Self::BadHydro { .. } => ExitCode::NonFinite,
             Self::Fault { .. } | Self::Lost { .. } => ExitCode::Ledger,
             Self::TooManySubsteps { .. } => ExitCode::TimeStepTooSmall,

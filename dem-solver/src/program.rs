@@ -107,8 +107,7 @@ fn participant<const D: usize>(
     let setup = set_up::<D>(&case, surface.map(FluidMesh::from).as_ref())?;
     let record = Record::new(&part.out, case.document.output.compress);
     let identity = (case.hash.clone(), Plan::of(&case.document).hash());
-    let mut participant =
-        DemParticipant::new(setup, frames, record, identity, case.document.fluid.is_some());
+    let mut participant = DemParticipant::new(setup, frames, record, identity, case.document.fluid.is_some());
     if let Some(folder) = &part.resume {
         participant.resume(folder)?;
     }
@@ -118,7 +117,8 @@ fn participant<const D: usize>(
 impl<const D: usize> From<&Surface> for FluidMesh<D> {
     fn from(surface: &Surface) -> Self {
         let point = |point: &[f64; 3]| -> [f64; D] { std::array::from_fn(|axis| point[axis]) };
-        let facet = |vertices: &[[f64; 3]; 3]| Facet::new(std::array::from_fn(|vertex| point(&vertices[vertex])));
+        let facet =
+            |vertices: &[[f64; 3]; 3]| Facet::new(std::array::from_fn(|vertex| point(&vertices[vertex])));
         let facets = |list: &Vec<[[f64; 3]; 3]>| list.iter().map(facet).collect();
         FluidMesh {
             bounds: (point(&surface.lower), point(&surface.upper)),

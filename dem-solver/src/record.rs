@@ -107,7 +107,8 @@ impl Record {
         let centres: Vec<[f64; D]> = grains.place.iter().map(|place| place.centre.into()).collect();
         let radii: Vec<f64> = grains.place.iter().map(|place| place.radius).collect();
         let velocities: Vec<[f64; D]> = grains.motion.iter().map(|motion| motion.velocity.into()).collect();
-        let spins: Vec<[f64; 3]> = grains.motion.iter().map(|motion| motion.angular_velocity.into()).collect();
+        let spins: Vec<[f64; 3]> =
+            grains.motion.iter().map(|motion| motion.angular_velocity.into()).collect();
         let materials: Vec<u64> = grains.material.iter().map(|material| u64::from(*material)).collect();
         let fields = [
             Field::whole("id", &grains.id),

@@ -174,7 +174,13 @@ impl Participant for FluidParticipant {
             self.record.start(&*self.backend).map_err(Failure::from)?;
         }
         let (size, largest_step) = (self.backend.nodes(), self.backend.largest_step());
-        Ok(Ready { size, largest_step, time: self.time, notes: self.backend.notes(), surface: self.backend.surface() })
+        Ok(Ready {
+            size,
+            largest_step,
+            time: self.time,
+            notes: self.backend.notes(),
+            surface: self.backend.surface(),
+        })
     }
 
     fn open(&mut self, window: Window) -> Result<Opening, Failure> {

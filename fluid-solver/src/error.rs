@@ -30,7 +30,9 @@ pub enum FluidError {
     #[error("fluid: {0}")]
     Grains(#[from] VoidFractionError),
     /// A checkpoint of another mesh.
-    #[error("fluid: the checkpoint holds {found} numbers of {name}, but the mesh has {nodes} nodes; resume with the mesh it was written with")]
+    #[error(
+        "fluid: the checkpoint holds {found} numbers of {name}, but the mesh has {nodes} nodes; resume with the mesh it was written with"
+    )]
     OtherMesh {
         /// The field.
         name: &'static str,

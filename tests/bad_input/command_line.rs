@@ -8,7 +8,10 @@ use crate::support::Folder;
 #[test]
 fn an_unknown_subcommand_is_refused_with_all_known() {
     let ending = coupler(&Folder::new(), &["rnu", "case"]);
-    ending.assert_line(2, &["unrecognized subcommand 'rnu'", "allowed: run, resume, check, plan, explain, clean"]);
+    ending.assert_line(
+        2,
+        &["unrecognized subcommand 'rnu'", "allowed: run, resume, check, plan, explain, clean"],
+    );
 }
 
 #[test]
@@ -51,11 +54,23 @@ fn an_unknown_variant_is_refused() {
 #[test]
 fn a_wrong_change_of_a_key_is_refused() {
     for (change, code, parts) in [
-        ("time.ende=\"1 s\"", 3, &["--set time.ende: unknown key", "allowed: end,", "did you mean \"end\"?"][..]),
+        (
+            "time.ende=\"1 s\"",
+            3,
+            &["--set time.ende: unknown key", "allowed: end,", "did you mean \"end\"?"][..],
+        ),
         ("time.end=1", 3, &["--set time.end: value 1 has no unit", "write \"1 s\""]),
         ("time.end=-1 s", 3, &["--set time.end: found -1 s", "allowed: more than 0 s"]),
-        ("time.end=\"soon\"", 3, &["--set time.end: \"soon\" does not start with a finite number", "\"2.5 s\""]),
-        ("insertion[7].diameter=\"1 mm\"", 3, &["--set insertion[7].diameter: there is no such entry", "insertion[1]"]),
+        (
+            "time.end=\"soon\"",
+            3,
+            &["--set time.end: \"soon\" does not start with a finite number", "\"2.5 s\""],
+        ),
+        (
+            "insertion[7].diameter=\"1 mm\"",
+            3,
+            &["--set insertion[7].diameter: there is no such entry", "insertion[1]"],
+        ),
         ("time.end", 2, &["--set time.end: no \"=\" found", "write --set key=value"]),
     ] {
         let scene = Scene::coupled();
@@ -79,7 +94,8 @@ fn a_folder_that_is_no_run_is_not_resumed() {
     let folder = Folder::new();
     folder.write("other/origin.json", "{}");
     std::fs::create_dir(folder.join("empty")).unwrap();
-    for (name, found) in [("nowhere", "No such file"), ("empty", "No such file"), ("other", "missing field")] {
+    for (name, found) in [("nowhere", "No such file"), ("empty", "No such file"), ("other", "missing field")]
+    {
         let origin = format!("{name}/origin.json: ");
         let parts = [&origin, found, "allowed: the output folder of a run", "name one"];
         coupler(&folder, &["resume", name]).assert_line(2, &parts);

@@ -86,9 +86,9 @@ pub fn files_of_runs(coupler: u32) -> Vec<PathBuf> {
     let files = inside(Path::new("/dev/shm")).into_iter().chain(inside(&temporary));
     let is_its = |path: &PathBuf| {
         let name = name(path);
-        let run = ["silt_", "silt-check-", ""].iter().find_map(|lead| {
-            u64::from_str_radix(name.strip_prefix(lead)?.get(..16)?, 16).ok()
-        });
+        let run = ["silt_", "silt-check-", ""]
+            .iter()
+            .find_map(|lead| u64::from_str_radix(name.strip_prefix(lead)?.get(..16)?, 16).ok());
         run.is_some_and(|run| run & 0xffff == u64::from(coupler & 0xffff))
     };
     files.chain(roots.flat_map(|root| inside(&root))).filter(is_its).collect()

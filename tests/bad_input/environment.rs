@@ -44,7 +44,10 @@ fn too_little_shared_memory_is_refused_and_enough_is_not() {
                      full shared memory cannot be tried; run this test as root, or with unprivileged user namespaces"
                 );
             };
-            ending.assert_line(5, &["shared memory: ", "bytes are needed", " free in /dev/shm", "enlarge it", "coupler clean"]);
+            ending.assert_line(
+                5,
+                &["shared memory: ", "bytes are needed", " free in /dev/shm", "enlarge it", "coupler clean"],
+            );
             assert_eq!(fs::read_to_string(scene.folder.join("left")).unwrap(), "", "{size}: {arguments}");
         }
     }
@@ -94,7 +97,8 @@ fn a_solver_that_cannot_be_started_or_is_none_is_told() {
     let scene = Scene::coupled();
     install(&scene, "dem-solver", b"#!/bin/sh\nexit 0\n");
     symlink(FLUID, scene.folder.join("bin/fluid-solver")).unwrap();
-    run_with_bin(&scene).assert_line(5, &["dem-solver ended with exit status: 0 before it joined", "out/log.txt"]);
+    run_with_bin(&scene)
+        .assert_line(5, &["dem-solver ended with exit status: 0 before it joined", "out/log.txt"]);
 }
 
 #[test]

@@ -65,7 +65,9 @@ fn a_coordinate_that_is_no_number_is_refused_with_its_line() {
 
 #[test]
 fn an_empty_list_of_grains_is_refused() {
-    for (text, part) in [("", "unknown column"), ("x[m],y[m],z[m]\n", "holds no grain; it needs at least one row")] {
+    for (text, part) in
+        [("", "unknown column"), ("x[m],y[m],z[m]\n", "holds no grain; it needs at least one row")]
+    {
         let scene = listed().with_file("grains.csv", text);
         assert_refused(&scene, "grains.csv", "insertion[1].file.path", &["grains.csv: ", part]);
     }
@@ -97,14 +99,21 @@ fn an_inverted_element_is_refused() {
         &scene,
         "cube.msh",
         "fluid.mesh.gmsh.path",
-        &["cube.msh: ", "cell 3 with points [0, 6, 2, 7] is inverted", "must be positive", "swap two of its points"],
+        &[
+            "cube.msh: ",
+            "cell 3 with points [0, 6, 2, 7] is inverted",
+            "must be positive",
+            "swap two of its points",
+        ],
     );
 }
 
 #[test]
 fn a_mesh_that_is_no_mesh_is_refused() {
     let whole = mesh_text(&CELLS, &["sides"]);
-    for (text, part) in [("", "$MeshFormat"), ("solid", "$MeshFormat"), (&whole[..whole.len() - 40], "expected")] {
+    for (text, part) in
+        [("", "$MeshFormat"), ("solid", "$MeshFormat"), (&whole[..whole.len() - 40], "expected")]
+    {
         let scene = meshed().with_file("cube.msh", text);
         assert_refused(&scene, "cube.msh", "fluid.mesh.gmsh.path", &["cube.msh: line ", part]);
     }

@@ -39,7 +39,12 @@ fn a_substep_above_the_critical_one_is_refused() {
         &scene,
         "substep",
         "time.substep",
-        &["found 0.001 s", "allowed: at most the critical step 2.", "a contact of grain 0", "take a smaller substep"],
+        &[
+            "found 0.001 s",
+            "allowed: at most the critical step 2.",
+            "a contact of grain 0",
+            "take a smaller substep",
+        ],
     );
 }
 
@@ -56,11 +61,11 @@ fn a_window_of_too_many_substeps_is_refused() {
 
 #[test]
 fn more_grains_than_a_lattice_can_mean_are_refused() {
-    let lattice =
-        "lattice = { lower = [\"1 mm\", \"1 mm\", \"1 mm\"], upper = [\"29 mm\", \"29 mm\", \"29 mm\"], spacing = \"1 um\" }";
-    let scene = Scene::coupled()
-        .with("at = [[\"17 mm\", \"15 mm\", \"20 mm\"]]", lattice)
-        .with("name = \"right\"\nmaterial = \"glass\"\ndiameter = \"1 mm\"", "name = \"right\"\nmaterial = \"glass\"\ndiameter = \"0.9 um\"");
+    let lattice = "lattice = { lower = [\"1 mm\", \"1 mm\", \"1 mm\"], upper = [\"29 mm\", \"29 mm\", \"29 mm\"], spacing = \"1 um\" }";
+    let scene = Scene::coupled().with("at = [[\"17 mm\", \"15 mm\", \"20 mm\"]]", lattice).with(
+        "name = \"right\"\nmaterial = \"glass\"\ndiameter = \"1 mm\"",
+        "name = \"right\"\nmaterial = \"glass\"\ndiameter = \"0.9 um\"",
+    );
     assert_refused(
         &scene,
         "spacing",

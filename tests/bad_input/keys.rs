@@ -42,7 +42,12 @@ fn a_bare_number_where_a_unit_is_due_is_refused() {
 #[test]
 fn a_unit_of_another_kind_is_refused() {
     let scene = Scene::coupled().with("\"5 mPa s\"", "\"5 mPa\"");
-    assert_refused(&scene, "\"5 mPa\"", "fluid.viscosity", &["\"5 mPa\" is a pressure", "not a dynamic viscosity", "write for example \"2.5 mPa s\""]);
+    assert_refused(
+        &scene,
+        "\"5 mPa\"",
+        "fluid.viscosity",
+        &["\"5 mPa\" is a pressure", "not a dynamic viscosity", "write for example \"2.5 mPa s\""],
+    );
 }
 
 #[test]
@@ -80,7 +85,10 @@ fn a_pair_that_can_touch_and_is_not_stated_is_refused() {
         &scene,
         "material = \"glass\"\nplane",
         "wall[0].material",
-        &["how glass and glass touch is not stated", "add [pairs.glass-glass] with restitution and sliding-friction"],
+        &[
+            "how glass and glass touch is not stated",
+            "add [pairs.glass-glass] with restitution and sliding-friction",
+        ],
     );
 }
 
@@ -143,7 +151,8 @@ fn a_case_that_is_not_there_is_refused() {
 
 #[test]
 fn a_check_that_cannot_be_understood_is_refused_before_the_run() {
-    let scene = Scene::coupled().with_file("check.toml", "[[check]]\nname = \"fall\"\nquantiti = \"grains.z[m]\"\n");
+    let scene =
+        Scene::coupled().with_file("check.toml", "[[check]]\nname = \"fall\"\nquantiti = \"grains.z[m]\"\n");
     let line = refusal(&scene);
     for part in ["check.toml:3: check[0].quantiti: unknown key", "allowed: ", "did you mean \"quantity\"?"] {
         assert!(line.contains(part), "{part:?} is not in: {line}");

@@ -54,6 +54,12 @@ fn with_no_whole_point_left_it_says_what_is_wrong_with_each() {
     let ending = resume(&scene);
     ending.assert_line(
         5,
-        &["out: no complete restart point", "\"dem-solver\"", "checksum", "fluid-solver", "start again with `coupler run`"],
+        &[
+            "out: no complete restart point",
+            "\"dem-solver\"",
+            "checksum",
+            "fluid-solver",
+            "start again with `coupler run`",
+        ],
     );
 }

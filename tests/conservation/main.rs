@@ -75,8 +75,7 @@ fn momentum_closes_and_stays_bounded_for_density_ratios_from_a_hundredth_to_ten_
     for ratio in [0.01, 0.1, 1.0, 100.0, 1e4] {
         // x = βΔt/m from about 1e-4 (heavy, short) to 1e4 (light, long).
         for window in [1e-5, 1e-3, 1.4e-2] {
-            let (momentum, speed) =
-                throw(&folder, &format!("{ratio}-{window}"), 1000.0 * ratio, window, &[]);
+            let (momentum, speed) = throw(&folder, &format!("{ratio}-{window}"), 1000.0 * ratio, window, &[]);
             assert!(momentum <= 1e-12, "ratio {ratio}, window {window}: {momentum:e}");
             // No faster than thrown, fallen or risen without drag, or at Stokes' terminal speed; a fifth for the start.
             let fallen = 9.81 * (1.0 / ratio - 1.0).abs() * 20.0 * window;

@@ -13,12 +13,8 @@ use std::sync::atomic::AtomicBool;
 use support::{Folder, assert_same_results, case, run, stderr};
 
 /// Contacts, walls, insertion over time and a two-way fluid, for a few windows of the shipped pipe.
-const CHANGES: [&str; 4] = [
-    "time.end=\"0.12 s\"",
-    "output.series=\"20 ms\"",
-    "output.frames=\"60 ms\"",
-    "output.restart=\"60 ms\"",
-];
+const CHANGES: [&str; 4] =
+    ["time.end=\"0.12 s\"", "output.series=\"20 ms\"", "output.frames=\"60 ms\"", "output.restart=\"60 ms\""];
 
 #[test]
 fn one_two_and_four_threads_leave_the_same_bytes() {
@@ -62,7 +58,8 @@ fn run_in_process(path: &Path, out: &Path) {
     };
     let parts = (part.clone(), part);
     let dem = std::thread::spawn(move || dem_solver::program::take_part(&parts.0, dem));
-    let fluid_thread = |fluid: FluidEnds| std::thread::spawn(move || fluid_solver::program::take_part(&parts.1, fluid));
+    let fluid_thread =
+        |fluid: FluidEnds| std::thread::spawn(move || fluid_solver::program::take_part(&parts.1, fluid));
     let fluid = fluid_thread(fluid);
     let session = Session { ends: coupler, dem: true, fluid: true, waited: 0.0 };
     let mut simulation = Simulation::start(&case, session, out, None).unwrap();

@@ -40,7 +40,8 @@ fn assert_nothing_left(live: &Live) {
 fn assert_resumable(live: &Live) {
     let restart = live.out.join("restart");
     let points: Vec<_> = std::fs::read_dir(restart).unwrap().flatten().map(|entry| entry.path()).collect();
-    let complete = points.iter().filter(|path| path.join("manifest.json").exists() && !path.ends_with(".tmp"));
+    let complete =
+        points.iter().filter(|path| path.join("manifest.json").exists() && !path.ends_with(".tmp"));
     assert!(complete.count() >= 1, "{points:?}");
 }
 

@@ -38,8 +38,12 @@ fn a_run_killed_and_resumed_leaves_the_bytes_of_a_run_through() {
 fn a_coupled_run_with_contacts_resumes_to_the_same_bytes() {
     let folder = Folder::new();
     let case = case("pipe-sediment");
-    let changes =
-        ["time.end=\"0.2 s\"", "output.series=\"8 ms\"", "output.restart=\"40 ms\"", "output.frames=\"40 ms\""];
+    let changes = [
+        "time.end=\"0.2 s\"",
+        "output.series=\"8 ms\"",
+        "output.restart=\"40 ms\"",
+        "output.frames=\"40 ms\"",
+    ];
     let through = run(&case, &folder.join("through"), &changes, &[]);
     // The checks of the case are about its end.
     assert_eq!(through.status.code(), Some(4), "{}", stderr(&through));

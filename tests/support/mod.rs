@@ -110,7 +110,10 @@ impl Live {
     pub fn shared_memory(&self) -> Vec<String> {
         let prefix = format!("silt_{}", self.id());
         let names = fs::read_dir("/dev/shm").unwrap().flatten();
-        names.map(|entry| entry.file_name().to_string_lossy().into_owned()).filter(|name| name.starts_with(&prefix)).collect()
+        names
+            .map(|entry| entry.file_name().to_string_lossy().into_owned())
+            .filter(|name| name.starts_with(&prefix))
+            .collect()
     }
 
     /// The run's identity, from its log.

@@ -61,8 +61,7 @@ fn answer(run: &str) -> Result<(), Box<dyn Error>> {
             Command::Advance { iteration } => {
                 let hydro = ends.hydro.of(0, iteration)?;
                 let stamp = Stamp { window: 0, iteration, ..Stamp::default() };
-                let row =
-                    |i: usize| GrainRow { mass: hydro[i].exchange_coefficient, ..GrainRow::default() };
+                let row = |i: usize| GrainRow { mass: hydro[i].exchange_coefficient, ..GrainRow::default() };
                 ends.grains.write(stamp, hydro.len(), row)?;
                 ends.control.answer(&Report::Restored)?;
             }

@@ -80,8 +80,13 @@ mod tests {
     use crate::message::{Commit, Hello, Window};
 
     fn commands() -> Vec<Command> {
-        let hello =
-            Hello { protocol: 1, version: String::new(), case_hash: String::new(), plan_hash: String::new(), surface: None };
+        let hello = Hello {
+            protocol: 1,
+            version: String::new(),
+            case_hash: String::new(),
+            plan_hash: String::new(),
+            surface: None,
+        };
         vec![
             Command::Hello(hello),
             Command::Open(Window { number: 0, time: 0.0, step: 1.0, grains_changed: false }),

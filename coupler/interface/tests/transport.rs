@@ -25,7 +25,13 @@ impl Participant for Follower {
         ("7".into(), "8".into())
     }
     fn ready(&mut self) -> Result<Ready, Failure> {
-        Ok(Ready { size: self.position.len() as u64, largest_step: 1.0, time: 0.0, notes: Vec::new(), surface: None })
+        Ok(Ready {
+            size: self.position.len() as u64,
+            largest_step: 1.0,
+            time: 0.0,
+            notes: Vec::new(),
+            surface: None,
+        })
     }
     fn open(&mut self, window: Window) -> Result<Opening, Failure> {
         if window.step > 1.0 {

@@ -19,7 +19,9 @@ impl Progress {
         }
         let template = "{prefix} [{bar:32}] {percent:>3} %  {msg}  {elapsed} gone, {eta} left";
         let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-        Progress(Some(ProgressBar::new(LENGTH).with_style(style.progress_chars("=> ")).with_prefix(title.to_string())))
+        Progress(Some(
+            ProgressBar::new(LENGTH).with_style(style.progress_chars("=> ")).with_prefix(title.to_string()),
+        ))
     }
 
     pub(super) fn finish(self) {

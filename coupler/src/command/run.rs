@@ -120,7 +120,11 @@ fn listen_for_interrupts(interrupted: &Arc<AtomicBool>) {
     use signal_hook::flag;
     for signal in [SIGINT, SIGTERM] {
         // Without a handler the signal still ends the program.
-        let _ = flag::register_conditional_shutdown(signal, i32::from(ExitCode::Interrupted.code()), interrupted.clone());
+        let _ = flag::register_conditional_shutdown(
+            signal,
+            i32::from(ExitCode::Interrupted.code()),
+            interrupted.clone(),
+        );
         let _ = flag::register(signal, interrupted.clone());
     }
 }

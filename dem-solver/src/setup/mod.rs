@@ -77,7 +77,10 @@ fn check_substeps<const D: usize>(
             let advice = match substep {
                 Substep::Given(_) => "take a shorter window or a longer time.substep".to_string(),
                 Substep::Fraction(_) => {
-                    format!("{} sets the substep: take a shorter window or a softer material", critical.binding)
+                    format!(
+                        "{} sets the substep: take a shorter window or a softer material",
+                        critical.binding
+                    )
                 }
             };
             Err(case.error("time.window", found, allowed, advice).into())

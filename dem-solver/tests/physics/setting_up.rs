@@ -94,12 +94,12 @@ fn what_cannot_be_is_refused_with_its_key() {
     let refusal = |from: &str, to: &str| folder.set_up(&CASE.replace(from, to), None).unwrap_err();
     let twice = refusal("\"20 cm\", \"0.5 m\"", "\"10 cm\", \"0.5 m\"");
     assert!(
-        twice.contains("insertion: grains 0 and 1 both have their centre at (0.1, 0.5, 0.5) m"),
+        twice.contains("insertion[0]: grains 0 and 1 both have their centre at (0.1, 0.5, 0.5) m"),
         "{twice}"
     );
     let outside = refusal("\"20 cm\", \"0.5 m\"", "\"20 cm\", \"5 m\"");
     assert!(
-        outside.contains("insertion: the centre of grain 1 is at (0.2, 5, 0.5) m; allowed: from (0, 0, 0) m"),
+        outside.contains("insertion[0]: the centre of grain 1 is at (0.2, 5, 0.5) m; allowed: from (0, 0, 0) m"),
         "{outside}"
     );
     let many = refusal("spacing = \"1 cm\"", "spacing = \"1 um\"");

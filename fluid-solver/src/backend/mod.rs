@@ -129,7 +129,9 @@ pub fn of(case: &Case, two_way: bool) -> Result<Box<dyn FluidBackend>, FluidErro
     match fluid.map(|fluid| (fluid, fluid.backend)) {
         Some((_, Backend::Imposed)) => match imposed::Imposed::of(&case.document) {
             Some(imposed) => Ok(Box::new(imposed)),
-            None => Err(case.error("fluid.field", "it is missing", "a field", "state velocity and pressure").into()),
+            None => Err(case
+                .error("fluid.field", "it is missing", "a field", "state velocity and pressure")
+                .into()),
         },
         Some((fluid, Backend::Eulerian)) => {
             let response = if two_way { eulerian::Response::TwoWay } else { eulerian::Response::OneWay };
