@@ -26,7 +26,10 @@ pub enum Condition<const D: usize> {
     },
 }
 
-/// How an inlet is stated.
+/// Rank of an inlet among the conditions that meet at a node.
+pub(super) const INLET_RANK: u8 = 2;
+
+/// How an inlet is stated: by its superficial velocity n_f u.
 #[derive(Clone)]
 pub enum Inflow<const D: usize> {
     /// The velocity.
@@ -46,7 +49,7 @@ impl<const D: usize> Condition<D> {
         match self {
             Self::Outlet { .. } => 0,
             Self::Slip => 1,
-            Self::Inlet(_) => 2,
+            Self::Inlet(_) => INLET_RANK,
             Self::MovingWall(_) => 3,
             Self::NoSlip => 4,
         }

@@ -2,6 +2,7 @@
 
 use super::normal::wall_normals;
 use super::profile::inlet_velocity;
+use super::condition::INLET_RANK;
 use super::{Boundaries, BoundaryError, Condition, Inflow, VelocityField};
 use crate::element::simplex::Vector;
 use crate::mesh::{BoundaryFace, Mesh};
@@ -22,6 +23,8 @@ pub struct Node<const D: usize> {
     pub free: Block<D>,
     position: Vector<D>,
     prescribed: Prescribed<D>,
+    /// The prescribed velocity is superficial: n_f u is given, not u.
+    superficial: bool,
 }
 
 #[derive(Clone)]
@@ -56,7 +59,9 @@ impl<const D: usize> Constraints<D> {
         let mut set = |node: u32, own: u8, free: Block<D>, prescribed: Prescribed<D>| {
             let slot = &mut nodes[node as usize];
             if rank[node as usize] == own && slot.is_none() {
-                *slot = Some(Node { node, free, position: mesh.nodes()[node as usize], prescribed });
+                // Of the conditions only an inlet states a flux.
+                let superficial = own == INLET_RANK;
+                *slot = Some(Node { node, free, position: mesh.nodes()[node as usize], prescribed, superficial });
             }
         };
         for (group, name) in mesh.groups().iter().enumerate() {
@@ -99,13 +104,16 @@ impl<const D: usize> Constraints<D> {
         &self.nodes
     }
 
-    /// Gives the prescribed components their values at a time (s).
-    pub fn prescribe(&self, time: f64, velocity: &mut [Vector<D>]) {
+    /// Gives the prescribed components their values at a time (s); what is stated at an inlet is the superficial velocity
+    /// n_f u, the flux per area whatever the grains leave free.
+    pub fn prescribe(&self, time: f64, void_fraction: &[f64], velocity: &mut [Vector<D>]) {
         for constrained in &self.nodes {
             let given = match &constrained.prescribed {
                 Prescribed::Constant(velocity) => *velocity,
                 Prescribed::Field(field) => field(&constrained.position, time),
             };
+            let share = if constrained.superficial { void_fraction[constrained.node as usize] } else { 1.0 };
+            let given = given.map(|component| component / share);
             let u = &mut velocity[constrained.node as usize];
             let change = std::array::from_fn(|k| u[k] - given[k]);
             let free = dense::multiply(&constrained.free, &change);

@@ -2,7 +2,7 @@
 
 use fluid_solver::backend::Step;
 use fluid_solver::backend::eulerian::{Exchange, Flow, Properties};
-use fluid_solver::boundary::{Boundaries, Condition, Inflow, VelocityField};
+use fluid_solver::boundary::{Boundaries, Condition, VelocityField};
 use fluid_solver::element::quadrature::degree_5;
 use fluid_solver::mesh::Mesh;
 use fluid_solver::mesh::generate::{BoxMesh, Jitter};
@@ -30,12 +30,12 @@ pub fn flow<const D: usize, const N: usize>(
     Flow::new(mesh, &boundaries, properties).expect("a good flow")
 }
 
-/// An inlet with a velocity that depends on place and time.
+/// A velocity prescribed by place and time.
 pub fn given<const D: usize>(
     velocity: impl Fn(&[f64; D], f64) -> [f64; D] + Send + Sync + 'static,
 ) -> Condition<D> {
     let field: VelocityField<D> = std::sync::Arc::new(velocity);
-    Condition::Inlet(Inflow::Velocity(field))
+    Condition::MovingWall(field)
 }
 
 /// Advances by `steps` equal steps from `time`, without grains; linear iterations in all.

@@ -106,11 +106,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// Sets the initial velocity (m/s); prescribed components take their values at time 0.
     pub fn set_velocity(&mut self, velocity: impl Fn(&Vector<D>) -> Vector<D>) {
-        let State { velocity: new, velocity_old, .. } = &mut self.state;
+        let State { velocity: new, velocity_old, void_fraction, .. } = &mut self.state;
         for (u, x) in new.iter_mut().zip(self.mesh.nodes()) {
             *u = velocity(x);
         }
-        self.constraints.prescribe(0.0, new);
+        self.constraints.prescribe(0.0, void_fraction, new);
         velocity_old.copy_from_slice(new);
     }
 

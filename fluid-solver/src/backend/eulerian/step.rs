@@ -90,7 +90,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             }
             None => self.state.velocity.copy_from_slice(&self.work.convecting),
         }
-        self.constraints.prescribe(step.end(), &mut self.state.velocity);
+        let State { velocity, void_fraction, .. } = &mut self.state;
+        self.constraints.prescribe(step.end(), void_fraction, velocity);
         self.assemble(rule, step, exchange);
         self.precondition(rule, exchange).map_err(|fault| self.fault(fault, step))?;
         let iterations = self.improve(rule, step, exchange)?;
