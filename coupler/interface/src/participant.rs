@@ -83,9 +83,11 @@ pub fn serve<P: Participant>(
         control.answer(&report)?;
         state = state.after(&report);
         if let Report::Failed(Failure { exit_code, message }) = report {
+            control.linger();
             return Err(InterfaceError::Participant { exit_code, message });
         }
     }
+    control.linger();
     Ok(())
 }
 

@@ -16,6 +16,9 @@ use std::time::Duration;
 /// Interval of the heartbeats.
 pub const TICK: Duration = Duration::from_millis(50);
 
+/// In the place of its pid: the program has left. No process has this one.
+const LEFT: u64 = u64::MAX;
+
 /// The shared table: per program its pid, start time and heartbeat count.
 #[repr(C)]
 struct Table {
@@ -109,7 +112,7 @@ impl PulseMap {
     fn leave(&self, who: Who) {
         // SAFETY: the descriptor is open; the lock goes with it.
         unsafe { libc::flock(self.file.as_raw_fd(), libc::LOCK_EX) };
-        self.table().pid[who.index()].store(0, Ordering::SeqCst);
+        self.table().pid[who.index()].store(LEFT, Ordering::SeqCst);
         if !Who::ALL.into_iter().any(|other| self.is_alive(other)) {
             self.run.remove();
         }
@@ -207,7 +210,7 @@ impl Pulse {
         TICK * u32::try_from(self.shared.ticks.load(Ordering::Relaxed)).unwrap_or(u32::MAX)
     }
 
-    /// An error if a peer that has joined is dead, or silent for longer than the deadline.
+    /// An error if a peer that has joined has left or is dead, or silent for longer than the deadline.
     ///
     /// # Errors
     /// [`InterfaceError::PeerDied`], [`InterfaceError::PeerFrozen`].
@@ -270,6 +273,10 @@ mod tests {
         assert!(matches!(coupler.check(Who::Dem, 3 * TICK), Err(InterfaceError::PeerFrozen { .. })));
         assert!(run.pulse_path().exists());
         drop(dem);
+        assert!(
+            matches!(coupler.check(Who::Dem, Duration::MAX), Err(InterfaceError::PeerDied { .. })),
+            "who has left is missed"
+        );
         // Both programs live in this process; the table tells them apart.
         assert!(run.pulse_path().exists());
         drop(coupler);

@@ -99,7 +99,8 @@ fn what_cannot_be_is_refused_with_its_key() {
     );
     let outside = refusal("\"20 cm\", \"0.5 m\"", "\"20 cm\", \"5 m\"");
     assert!(
-        outside.contains("insertion[0]: the centre of grain 1 is at (0.2, 5, 0.5) m; allowed: from (0, 0, 0) m"),
+        outside
+            .contains("insertion[0]: the centre of grain 1 is at (0.2, 5, 0.5) m; allowed: from (0, 0, 0) m"),
         "{outside}"
     );
     let many = refusal("spacing = \"1 cm\"", "spacing = \"1 um\"");

@@ -1,8 +1,8 @@
 //! Which velocity components are prescribed, and to what.
 
+use super::condition::INLET_RANK;
 use super::normal::wall_normals;
 use super::profile::inlet_velocity;
-use super::condition::INLET_RANK;
 use super::{Boundaries, BoundaryError, Condition, Inflow, VelocityField};
 use crate::element::simplex::Vector;
 use crate::mesh::{BoundaryFace, Mesh};
@@ -61,7 +61,8 @@ impl<const D: usize> Constraints<D> {
             if rank[node as usize] == own && slot.is_none() {
                 // Of the conditions only an inlet states a flux.
                 let superficial = own == INLET_RANK;
-                *slot = Some(Node { node, free, position: mesh.nodes()[node as usize], prescribed, superficial });
+                *slot =
+                    Some(Node { node, free, position: mesh.nodes()[node as usize], prescribed, superficial });
             }
         };
         for (group, name) in mesh.groups().iter().enumerate() {

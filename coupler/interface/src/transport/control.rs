@@ -12,6 +12,9 @@ use std::time::Duration;
 /// How long a wait sleeps before it looks at the peers again.
 const SLICE: Duration = Duration::from_millis(20);
 
+/// How long the coupler may take to read a last answer.
+const GRACE: Duration = Duration::from_secs(2);
+
 /// How long peers may be silent.
 #[derive(Clone, Copy, Debug)]
 pub struct Deadlines {
@@ -157,6 +160,18 @@ impl CommandReceiver {
         match &mut self.receiver {
             Receiver::SharedMemory(server) => server.answer(report),
             Receiver::InProcess(server) => server.answer(report),
+        }
+    }
+
+    /// Stays until the coupler has read the last answer, which goes when this program goes.
+    pub(crate) fn linger(&self) {
+        let start = self.watch.now();
+        let is_awaited = || match &self.receiver {
+            Receiver::SharedMemory(server) => server.is_awaited(),
+            Receiver::InProcess(_) => false,
+        };
+        while is_awaited() && self.watch.check().is_ok() && self.watch.now().saturating_sub(start) < GRACE {
+            std::thread::sleep(Duration::from_millis(1));
         }
     }
 

@@ -311,7 +311,7 @@ impl Client {
     pub(super) fn send(&mut self, command: &Command) -> Result<(), InterfaceError> {
         let bytes = encode(command)?;
         let failed = |detail: String| transport("sending a command", detail, self.bell.run);
-        // The response channel of the last command is closed before the next is sent.
+        // The response channel of a command that was never answered is closed before the next is sent.
         self.pending = None;
         let request = self.client.loan_slice_uninit(bytes.len()).map_err(|e| failed(format!("{e:?}")))?;
         self.pending = Some(request.write_from_slice(&bytes).send().map_err(|e| failed(format!("{e:?}")))?);
@@ -328,7 +328,10 @@ impl Client {
                 .receive()
                 .map_err(|error| transport("receiving a report", format!("{error:?}"), self.bell.run))?;
             if let Some(response) = response {
-                return decode(response.payload()).map(Some);
+                let report = decode(response.payload());
+                // Tells the participant that its answer has been read.
+                self.pending = None;
+                return report.map(Some);
             }
         }
         Ok(None)
@@ -360,10 +363,15 @@ impl Server {
         Ok(None)
     }
 
+    /// Whether the coupler has yet to read the last answer.
+    pub(super) fn is_awaited(&self) -> bool {
+        self.active.as_ref().is_some_and(Active::is_connected)
+    }
+
     pub(super) fn answer(&mut self, report: &Report) -> Result<(), InterfaceError> {
         let bytes = encode(report)?;
         let failed = |detail: String| transport("sending a report", detail, self.bell.run);
-        let Some(request) = self.active.take() else { return Ok(()) };
+        let Some(request) = &self.active else { return Ok(()) };
         let response = request.loan_slice_uninit(bytes.len()).map_err(|e| failed(format!("{e:?}")))?;
         response.write_from_slice(&bytes).send().map_err(|e| failed(format!("{e:?}")))?;
         self.bell.ring()

@@ -7,7 +7,7 @@ use crate::boundary::{Boundaries, Condition};
 use crate::element::simplex::Vector;
 use crate::error::FluidError;
 use crate::mesh::generate::{BentPipe, BoxMesh, Jitter, Pipe};
-use crate::mesh::{Mesh, gmsh};
+use crate::mesh::{Mesh, MeshError, gmsh};
 use case_io::document::{self, Case, Dimension, Fluid, MeshSource};
 
 /// The flow of a case.
@@ -60,7 +60,7 @@ fn backend<const D: usize, const N: usize>(
 fn plane_mesh(case: &Case, fluid: &Fluid) -> Result<Mesh<2, 3>, FluidError> {
     match fluid.mesh.as_ref().and_then(document::Mesh::source) {
         Some(MeshSource::Box(mesh)) => Ok(generate_box(case, mesh)?),
-        Some(MeshSource::Gmsh(file)) => Ok(gmsh::read(&case.folder.join(&file.path))?.scaled(file.scale)),
+        Some(MeshSource::Gmsh(file)) => read_gmsh(case, file),
         Some(MeshSource::Pipe(_)) => {
             Err(case.error("fluid.mesh.pipe", "a pipe needs three dimensions", "box, gmsh", "use box").into())
         }
@@ -71,10 +71,25 @@ fn plane_mesh(case: &Case, fluid: &Fluid) -> Result<Mesh<2, 3>, FluidError> {
 fn space_mesh(case: &Case, fluid: &Fluid) -> Result<Mesh<3, 4>, FluidError> {
     match fluid.mesh.as_ref().and_then(document::Mesh::source) {
         Some(MeshSource::Box(mesh)) => Ok(generate_box(case, mesh)?),
-        Some(MeshSource::Gmsh(file)) => Ok(gmsh::read(&case.folder.join(&file.path))?.scaled(file.scale)),
+        Some(MeshSource::Gmsh(file)) => read_gmsh(case, file),
         Some(MeshSource::Pipe(pipe)) => generate_pipe(case, pipe),
         None => Err(missing(case)),
     }
+}
+
+fn read_gmsh<const D: usize, const N: usize>(
+    case: &Case,
+    file: &document::GmshFile,
+) -> Result<Mesh<D, N>, FluidError> {
+    let path = case.folder.join(&file.path);
+    let mesh = gmsh::read(&path).map_err(|error| {
+        let found = match error {
+            MeshError::File { .. } => error.to_string(),
+            _ => format!("{}: {error}", path.display()),
+        };
+        case.error("fluid.mesh.gmsh.path", found, "", "")
+    })?;
+    Ok(mesh.scaled(file.scale))
 }
 
 fn missing(case: &Case) -> FluidError {
