@@ -172,7 +172,10 @@ impl Simulation {
                 smallest: self.smallest,
                 advice: match wanted_by {
                     Who::Dem => "soften the materials or lower time.smallest-window",
-                    _ => "coarsen the mesh or lower time.smallest-window",
+                    _ => {
+                        "coarsen the mesh or lower time.smallest-window; if speeds grow without a cause, set \
+                         coupling.scheme = \"serial-implicit\""
+                    }
                 },
             })?;
             let window =

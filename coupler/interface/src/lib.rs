@@ -4,7 +4,6 @@
 //! [`transport`] (shared memory between processes, or channels between threads of one process), commands and
 //! reports as [`message`]s. [`participant::serve`] runs the state machine of a solver.
 
-pub mod alone;
 pub mod assignment;
 pub mod error;
 pub mod frames;
@@ -13,6 +12,7 @@ pub mod message;
 pub mod participant;
 pub mod pulse;
 pub mod run;
+pub mod solver;
 pub mod state;
 pub mod transport;
 pub mod usage;

@@ -68,6 +68,18 @@ impl Case {
             .collect()
     }
 
+    /// As [`Case::load`], of one run of a sweep by its name, or of the case that is none.
+    ///
+    /// # Errors
+    /// As [`Case::load`]; a run that the case does not have.
+    pub fn load_run(path: &Path, overrides: &Overrides, run: Option<&str>) -> Result<Self, CaseError> {
+        let cases = Self::load(path, overrides)?;
+        cases.into_iter().find(|case| case.run.as_deref() == run).ok_or_else(|| CaseError::CommandLine {
+            flag: format!("run {}", run.unwrap_or_default()),
+            problem: format!("{} has no such run; restore the case, or start again", path.display()),
+        })
+    }
+
     /// The error that a key is wrong, in the words of all others: `key` is a path such as
     /// `insertion[0].diameter`; any of what was `found`, what is `allowed` and the `advice` may be empty.
     pub fn error(

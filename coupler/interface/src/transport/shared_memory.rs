@@ -22,6 +22,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 type Service = ipc_threadsafe::Service;
+type FrameService<R> = iceoryx2::service::port_factory::publish_subscribe::PortFactory<Service, [R], Header>;
 
 /// Frames that may be under way to one reader; lockstep needs two.
 const BUFFER: usize = 4;
@@ -59,9 +60,8 @@ impl Session {
         text.try_into().map_err(|error| transport("naming a service", format!("{error:?}"), self.run))
     }
 
-    fn writer<R: Row>(&self) -> Result<FrameWriter<R>, InterfaceError> {
-        let publisher = self
-            .node
+    fn frames<R: Row>(&self) -> Result<FrameService<R>, InterfaceError> {
+        self.node
             .service_builder(&self.name(R::KIND.name())?)
             .publish_subscribe::<[R]>()
             .user_header::<Header>()
@@ -70,7 +70,12 @@ impl Session {
             .max_publishers(1)
             .max_subscribers(2)
             .open_or_create()
-            .map_err(|error| transport("opening a frame service", format!("{error:?}"), self.run))?
+            .map_err(|error| transport("opening a frame service", format!("{error:?}"), self.run))
+    }
+
+    fn writer<R: Row>(&self) -> Result<FrameWriter<R>, InterfaceError> {
+        let publisher = self
+            .frames::<R>()?
             .publisher_builder()
             .initial_max_slice_len(FIRST_ROWS)
             .allocation_strategy(AllocationStrategy::PowerOfTwo)
@@ -82,16 +87,7 @@ impl Session {
 
     fn reader<R: Row>(&self) -> Result<FrameReader<R>, InterfaceError> {
         let subscriber = self
-            .node
-            .service_builder(&self.name(R::KIND.name())?)
-            .publish_subscribe::<[R]>()
-            .user_header::<Header>()
-            .enable_safe_overflow(false)
-            .subscriber_max_buffer_size(BUFFER)
-            .max_publishers(1)
-            .max_subscribers(2)
-            .open_or_create()
-            .map_err(|error| transport("opening a frame service", format!("{error:?}"), self.run))?
+            .frames::<R>()?
             .subscriber_builder()
             .create()
             .map_err(|error| transport("creating a subscriber", format!("{error:?}"), self.run))?;

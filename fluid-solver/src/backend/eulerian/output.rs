@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 impl<const D: usize, const N: usize> Flow<D, N> {
     /// Integrals (those of a slab of `depth` in 2D) and extremes: name with unit, value.
     pub fn statistics(&self, depth: f64) -> Vec<(&'static str, f64)> {
-        const NAMES: [&str; 3] = ["momentum_x[kg m/s]", "momentum_y[kg m/s]", "momentum_z[kg m/s]"];
+        const NAMES: [&str; 3] = ["momentum-x[kg m/s]", "momentum-y[kg m/s]", "momentum-z[kg m/s]"];
         let (state, measure) = (self.state(), self.mesh().measure());
         let density = self.properties().density;
         let weighted = |value: &dyn Fn(usize) -> f64| {
@@ -22,11 +22,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let mut statistics = vec![("volume[m^3]", weighted(&|_| 1.0))];
         statistics.extend((0..D).map(|k| (NAMES[k], density * weighted(&|i| state.velocity[i][k]))));
         statistics.extend([
-            ("kinetic_energy[J]", 0.5 * density * weighted(&|i| dot(&state.velocity[i], &state.velocity[i]))),
-            ("speed_max[m/s]", largest(&mut state.velocity.iter().map(speed))),
-            ("pressure_min[Pa]", smallest(&mut state.pressure.iter().copied())),
-            ("pressure_max[Pa]", largest(&mut state.pressure.iter().copied())),
-            ("void_fraction_min[-]", smallest(&mut state.void_fraction.iter().copied())),
+            ("kinetic-energy[J]", 0.5 * density * weighted(&|i| dot(&state.velocity[i], &state.velocity[i]))),
+            ("speed-max[m/s]", largest(&mut state.velocity.iter().map(speed))),
+            ("pressure-min[Pa]", smallest(&mut state.pressure.iter().copied())),
+            ("pressure-max[Pa]", largest(&mut state.pressure.iter().copied())),
+            ("void-fraction-min[-]", smallest(&mut state.void_fraction.iter().copied())),
         ]);
         statistics
     }
