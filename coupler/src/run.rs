@@ -129,21 +129,26 @@ struct Story {
 impl Story {
     fn summary(self, case: &Case, wall: f64) -> Summary {
         let own = own_usage();
-        let mut seconds: BTreeMap<String, Seconds> =
-            [("coupler".to_string(), Seconds { wall, cpu: own.cpu_seconds })].into();
-        seconds.insert("windows".to_string(), Seconds { wall: self.windows_seconds, cpu: 0.0 });
-        seconds.insert("exchange".to_string(), Seconds { wall: self.exchange_seconds, cpu: 0.0 });
+        let mut seconds = BTreeMap::new();
         let mut thrift = BTreeMap::new();
         let mut peak_memory = own.peak_memory;
         for (who, usage) in self.usages {
-            let parts: f64 = usage.parts.iter().map(|(_, seconds)| seconds).sum();
-            seconds.insert(who.name().to_string(), Seconds { wall: parts, cpu: usage.cpu_seconds });
+            let computing: f64 = usage.parts.iter().map(|(_, wall)| wall).sum();
             for (part, wall) in usage.parts {
-                seconds.insert(format!("{who}: {part}"), Seconds { wall, cpu: 0.0 });
+                // A process does not know its CPU seconds by part: they are shared out by wall time.
+                let cpu = if computing > 0.0 { usage.cpu_seconds * wall / computing } else { 0.0 };
+                seconds.insert(format!("{who}: {part}"), Seconds { wall, cpu });
             }
             thrift.extend(usage.counters);
             peak_memory += usage.peak_memory;
         }
+        seconds.insert(
+            "coupler: exchange".into(),
+            Seconds { wall: self.exchange_seconds, cpu: own.cpu_seconds },
+        );
+        // Start and end of the processes, frames and restart points, the wait for a wake-up: the rest of the run's time.
+        let known: f64 = seconds.values().map(|part| part.wall).sum();
+        seconds.insert("set-up, output, waiting".into(), Seconds { wall: (wall - known).max(0.0), cpu: 0.0 });
         Summary {
             case: case.document.case.title.clone(),
             case_hash: case.hash.clone(),

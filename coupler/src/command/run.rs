@@ -148,7 +148,7 @@ fn close(case: &Case, summary: &Summary, folder: &Path, manner: &Manner) {
         ));
     }
     let name = case.run.as_deref().unwrap_or(&case.name);
-    let wall = summary.seconds.get("coupler").map_or(0.0, |seconds| seconds.wall);
+    let wall: f64 = summary.seconds.values().map(|part| part.wall).sum();
     say(&format!(
         "{name}: t = {} s, {} windows, {:.2} iterations a window, {wall:.1} s; report in {}",
         summary.time,
