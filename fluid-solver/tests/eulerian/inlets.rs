@@ -23,7 +23,7 @@ fn inflow<const D: usize, const N: usize>(flow: &Flow<D, N>, name: &str) -> f64 
 
 fn kinetic_energy<const D: usize, const N: usize>(flow: &Flow<D, N>) -> f64 {
     let statistics = flow.statistics(1.0);
-    statistics.iter().find(|(name, _)| *name == "kinetic_energy[J]").expect("the energy").1
+    statistics.iter().find(|(name, _)| *name == "kinetic-energy[J]").expect("the energy").1
 }
 
 fn pipe(viscosity: f64, profile: Profile) -> Flow<3, 4> {
