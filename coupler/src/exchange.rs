@@ -18,6 +18,8 @@ pub struct Exchange {
     felt: Vec<SampleRow>,
     /// What the fluid does to the grains.
     pub hydro: Vec<HydroRow>,
+    /// The same in the iteration before.
+    last_hydro: Vec<HydroRow>,
     /// What the grains do to the fluid.
     pub reactions: Vec<ReactionRow>,
     /// Impulse owed to each grain from earlier windows, paid in this one.
@@ -60,7 +62,8 @@ impl Exchange {
     ) -> Result<(), CouplerError> {
         self.felt.clear();
         self.felt.extend_from_slice(samples);
-        let last = std::mem::take(&mut self.hydro);
+        std::mem::swap(&mut self.hydro, &mut self.last_hydro);
+        self.hydro.clear();
         self.owed.clear();
         self.owed.extend_from_slice(owed.to_grains());
         for (row, ((before, now), sample)) in self.before.iter().zip(grains).zip(samples).enumerate() {
@@ -68,16 +71,16 @@ impl Exchange {
             self.hydro.push(interaction.evaluate(&grain, sample, owed.to_grains()[row], step)?);
         }
         if let Some(relaxation) = relaxation {
-            self.relax(&last, relaxation);
+            self.relax(relaxation);
         }
         Ok(())
     }
 
     /// x ← x + ω r on the force F + βu_f that the fluid's fields exert, r the plain change.
-    fn relax(&mut self, last: &[HydroRow], relaxation: &mut Acceleration) {
+    fn relax(&mut self, relaxation: &mut Acceleration) {
         self.relaxed.clear();
         self.residual.clear();
-        for (old, new) in last.iter().zip(&self.hydro) {
+        for (old, new) in self.last_hydro.iter().zip(&self.hydro) {
             for k in 0..3 {
                 let felt = |row: &HydroRow| row.force[k] + new.exchange_coefficient * row.fluid_velocity[k];
                 self.relaxed.push(felt(old));
@@ -85,7 +88,7 @@ impl Exchange {
             }
         }
         let factor = relaxation.relax(&mut self.relaxed, &self.residual);
-        for (old, new) in last.iter().zip(&mut self.hydro) {
+        for (old, new) in self.last_hydro.iter().zip(&mut self.hydro) {
             let mixed = |old: Vector, new: Vector| from_fn(|k| old[k] + factor * (new[k] - old[k]));
             new.force = mixed(old.force, new.force);
             new.fluid_velocity = mixed(old.fluid_velocity, new.fluid_velocity);

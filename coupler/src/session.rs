@@ -120,7 +120,7 @@ impl Session {
         Ok(OpenAnswer::Opened(opened))
     }
 
-    /// Lets the grains move through the window; without a fluid nothing acts on them.
+    /// Lets the grains move through the window; without a fluid nothing acts on them. Their books, and the substeps done.
     ///
     /// # Errors
     /// As [`Session::open`].
@@ -129,22 +129,20 @@ impl Session {
         window: Window,
         iteration: u32,
         hydro: &[HydroRow],
-    ) -> Result<(GrainLedger, Advanced), CouplerError> {
+    ) -> Result<(GrainLedger, u64), CouplerError> {
         if self.fluid {
             self.ends.hydro.write(stamp(window, iteration), hydro.len(), |row| hydro[row])?;
         }
         match self.ask(Who::Dem, &Command::Advance { iteration })? {
             Report::Solved(solved) => match *solved {
-                Solved { books: Books::Grains(ledger), largest_step, work } => {
-                    Ok((ledger, Advanced { largest_step, work }))
-                }
+                Solved { books: Books::Grains(ledger), work, .. } => Ok((ledger, work)),
                 other => Err(self.ends.dem.unexpected("advance", &Report::Solved(Box::new(other))).into()),
             },
             other => Err(self.ends.dem.unexpected("advance", &other).into()),
         }
     }
 
-    /// Solves the fluid with the grains' new places.
+    /// Solves the fluid with the grains' new places. Its books and norms, and the linear iterations done.
     ///
     /// # Errors
     /// As [`Session::open`].
@@ -153,15 +151,13 @@ impl Session {
         window: Window,
         iteration: u32,
         reactions: &[ReactionRow],
-    ) -> Result<(FluidLedger, Norms, Advanced), CouplerError> {
+    ) -> Result<(FluidLedger, Norms, u64), CouplerError> {
         if self.dem {
             self.ends.reaction.write(stamp(window, iteration), reactions.len(), |row| reactions[row])?;
         }
         match self.ask(Who::Fluid, &Command::Advance { iteration })? {
             Report::Solved(solved) => match *solved {
-                Solved { books: Books::Fluid { ledger, norms }, largest_step, work } => {
-                    Ok((ledger, norms, Advanced { largest_step, work }))
-                }
+                Solved { books: Books::Fluid { ledger, norms }, work, .. } => Ok((ledger, norms, work)),
                 other => Err(self.ends.fluid.unexpected("advance", &Report::Solved(Box::new(other))).into()),
             },
             other => Err(self.ends.fluid.unexpected("advance", &other).into()),
@@ -218,15 +214,6 @@ impl Session {
     pub fn grains(&mut self) -> Result<FrameView<'_, GrainRow>, CouplerError> {
         Ok(self.ends.grains.newest()?)
     }
-}
-
-/// What a participant says of its work besides its books.
-#[derive(Clone, Copy, Debug)]
-pub struct Advanced {
-    /// Largest Δt allowed for the next window \[s\].
-    pub largest_step: f64,
-    /// Substeps or linear iterations.
-    pub work: u64,
 }
 
 fn stamp(window: Window, iteration: u32) -> Stamp {

@@ -47,8 +47,6 @@ pub struct Outcome {
     pub substeps: u64,
     /// Linear iterations of all iterations.
     pub linear_iterations: u64,
-    /// Largest Δt of the next window by (DEM, fluid) \[s\].
-    pub largest_step: (f64, f64),
 }
 
 /// The window with both sides: grains first, with the latest fluid iterate, then the fluid with the grains' new places.
@@ -77,7 +75,7 @@ pub fn coupled_window(
             window.step,
             relaxation,
         )?;
-        let (grain_ledger, dem) = session.advance_dem(window, iteration, &exchange.hydro)?;
+        let (grain_ledger, substeps) = session.advance_dem(window, iteration, &exchange.hydro)?;
 
         let ends = &mut session.ends;
         let (grains, impulses) =
@@ -86,14 +84,15 @@ pub fn coupled_window(
         if !coupling.two_way {
             exchange.reactions.fill(Default::default());
         }
-        let (fluid_ledger, norms, fluid) = session.advance_fluid(window, iteration, &exchange.reactions)?;
+        let (fluid_ledger, norms, linear_iterations) =
+            session.advance_fluid(window, iteration, &exchange.reactions)?;
 
         outcome.iterations = iteration;
-        outcome.substeps += dem.work;
-        outcome.linear_iterations += fluid.work;
-        outcome.largest_step = (dem.largest_step, fluid.largest_step);
+        outcome.substeps += substeps;
+        outcome.linear_iterations += linear_iterations;
         let samples = session.ends.samples.of(window.number, iteration)?;
-        let force = exchange.force_change(&samples, coupling.shape, window.step);
+        let shape = coupling.shape;
+        let force = || exchange.force_change(&samples, shape, window.step);
         if is_finished(coupling, norms, force, &mut outcome, window)? {
             if coupling.two_way {
                 outcome.crossed = Some(exchange.settle(&samples, coupling.shape, window.step, owed));
@@ -109,7 +108,7 @@ pub fn coupled_window(
 fn is_finished(
     coupling: &mut Coupling,
     norms: Norms,
-    force: Change,
+    force: impl FnOnce() -> Change,
     outcome: &mut Outcome,
     window: Window,
 ) -> Result<bool, CouplerError> {
@@ -118,7 +117,7 @@ fn is_finished(
     }
     let velocity = Change { change: norms.velocity_change, reference: norms.velocity };
     let pressure = Change { change: norms.pressure_change, reference: norms.pressure };
-    let (verdict, residuals) = coupling.judge.judge(&velocity, &pressure, &force);
+    let (verdict, residuals) = coupling.judge.judge(&velocity, &pressure, &force());
     outcome.residuals = Some(residuals);
     let not_converged = CouplerError::NotConverged {
         window: window.number,
@@ -139,19 +138,16 @@ fn is_finished(
 /// # Errors
 /// A participant's failure.
 pub fn single_window(session: &mut Session, window: Window) -> Result<Outcome, CouplerError> {
-    let mut outcome =
-        Outcome { iterations: 1, largest_step: (f64::INFINITY, f64::INFINITY), ..Outcome::default() };
+    let mut outcome = Outcome { iterations: 1, ..Outcome::default() };
     if session.dem {
-        let (ledger, advanced) = session.advance_dem(window, 1, &[])?;
+        let (ledger, substeps) = session.advance_dem(window, 1, &[])?;
         outcome.grains = Some(ledger);
-        outcome.substeps = advanced.work;
-        outcome.largest_step.0 = advanced.largest_step;
+        outcome.substeps = substeps;
     }
     if session.fluid {
-        let (ledger, _, advanced) = session.advance_fluid(window, 1, &[])?;
+        let (ledger, _, linear_iterations) = session.advance_fluid(window, 1, &[])?;
         outcome.fluid = Some(ledger);
-        outcome.linear_iterations = advanced.work;
-        outcome.largest_step.1 = advanced.largest_step;
+        outcome.linear_iterations = linear_iterations;
     }
     Ok(outcome)
 }

@@ -22,6 +22,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 type Service = ipc_threadsafe::Service;
+type ControlService =
+    iceoryx2::service::port_factory::request_response::PortFactory<Service, [u8], (), [u8], ()>;
 type FrameService<R> = iceoryx2::service::port_factory::publish_subscribe::PortFactory<Service, [R], Header>;
 
 /// Frames that may be under way to one reader; lockstep needs two.
@@ -111,15 +113,19 @@ impl Session {
         })
     }
 
-    fn client(&self, who: Who) -> Result<Client, InterfaceError> {
-        let client = self
-            .node
+    fn control_service(&self, who: Who) -> Result<ControlService, InterfaceError> {
+        self.node
             .service_builder(&self.name(&format!("control-{who}"))?)
             .request_response::<[u8], [u8]>()
             .max_clients(1)
             .max_servers(1)
             .open_or_create()
-            .map_err(|error| transport("opening a control service", format!("{error:?}"), self.run))?
+            .map_err(|error| transport("opening a control service", format!("{error:?}"), self.run))
+    }
+
+    fn client(&self, who: Who) -> Result<Client, InterfaceError> {
+        let client = self
+            .control_service(who)?
             .client_builder()
             .initial_max_slice_len(1024)
             .allocation_strategy(AllocationStrategy::PowerOfTwo)
@@ -130,13 +136,7 @@ impl Session {
 
     fn server(&self, who: Who) -> Result<Server, InterfaceError> {
         let server = self
-            .node
-            .service_builder(&self.name(&format!("control-{who}"))?)
-            .request_response::<[u8], [u8]>()
-            .max_clients(1)
-            .max_servers(1)
-            .open_or_create()
-            .map_err(|error| transport("opening a control service", format!("{error:?}"), self.run))?
+            .control_service(who)?
             .server_builder()
             .initial_max_slice_len(4096)
             .allocation_strategy(AllocationStrategy::PowerOfTwo)
