@@ -11,6 +11,7 @@ fn passes(name: &str) {
     let said = String::from_utf8_lossy(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{name}: {}\n{said}", stderr(&output));
     assert!(said.contains("pass  "), "{name} has checks: {said}");
+    assert!(folder.join("out/report.html").exists(), "{name} has one report, over all its runs");
 }
 
 /// One test per case; a case without a test fails the last one.
@@ -37,4 +38,5 @@ cases! {
     relaxation_box "relaxation-box"
     settling_ode "settling-ode"
     settling_sphere "settling-sphere"
+    settling_sphere_periodic "settling-sphere-periodic"
 }

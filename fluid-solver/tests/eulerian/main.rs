@@ -7,3 +7,4 @@ mod hydrostatics;
 mod inlets;
 mod manufactured;
 mod support;
+mod taylor_green;

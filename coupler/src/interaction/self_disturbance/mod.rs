@@ -10,6 +10,8 @@
 //! overshoots while a grain has moved for less than 5 min(σ²/ν, σ/U). Compare Horwitz & Mani 2016, J. Comput. Phys. 318:85;
 //! Ireland & Desjardins 2017, J. Comput. Phys. 338:405.
 
+#[cfg(test)]
+mod lattice;
 mod oseen;
 
 use std::f64::consts::PI;
