@@ -3,7 +3,7 @@
 use crate::acceleration::Acceleration;
 use crate::convergence::{Change, ForceResidual};
 use crate::error::CouplerError;
-use crate::interaction::{Interaction, Passage, Shape, reaction};
+use crate::interaction::{Interaction, Passage, Shape};
 use crate::owed::Owed;
 use interface::frames::{GrainRow, HydroRow, ImpulseRow, ReactionRow, SampleRow};
 use interface::ledger::Vector;
@@ -65,10 +65,10 @@ impl Exchange {
         std::mem::swap(&mut self.hydro, &mut self.last_hydro);
         self.hydro.clear();
         self.owed.clear();
-        self.owed.extend_from_slice(owed.to_grains());
+        self.owed.extend_from_slice(owed.impulses());
         for (row, ((before, now), sample)) in self.before.iter().zip(grains).zip(samples).enumerate() {
             let grain = GrainRow { velocity: now.velocity, ..*before };
-            self.hydro.push(interaction.evaluate(&grain, sample, owed.to_grains()[row], step)?);
+            self.hydro.push(interaction.evaluate(&grain, sample, owed.impulses()[row], step)?);
         }
         if let Some(relaxation) = relaxation {
             self.relax(relaxation);
@@ -95,8 +95,14 @@ impl Exchange {
         }
     }
 
-    /// The reactions, now that the grains have moved, with what is owed to the fluid; and what the grains have received.
-    pub fn react(&mut self, grains: &[GrainRow], impulses: &[ImpulseRow], owed: &Owed, step: f64) {
+    /// The reactions, now that the grains have moved; and what the grains have received.
+    pub fn react(
+        &mut self,
+        grains: &[GrainRow],
+        impulses: &[ImpulseRow],
+        step: f64,
+        reaction: impl Fn(&Passage<'_>) -> ReactionRow,
+    ) {
         self.reactions.clear();
         self.received.clear();
         for (row, before) in self.before.iter().enumerate() {
@@ -105,12 +111,7 @@ impl Exchange {
             let passage = Passage { before, after: &grains[row], sample, hydro, impulse };
             // Outside the fluid nothing is exchanged.
             let is_inside = sample.density > 0.0;
-            let force = owed.to_fluid()[row].map(|impulse| impulse / step);
-            self.reactions.push(if is_inside {
-                ReactionRow { force, ..reaction(&passage, step) }
-            } else {
-                ReactionRow::default()
-            });
+            self.reactions.push(if is_inside { reaction(&passage) } else { ReactionRow::default() });
             let change: Vector = from_fn(|k| grains[row].velocity[k] - before.velocity[k]);
             self.received
                 .push(from_fn(|k| impulse.drag[k] + hydro.force[k] * step - hydro.added_mass * change[k]));
@@ -128,42 +129,23 @@ impl Exchange {
         from_fn(|k| {
             let drag = reaction.exchange_coefficient * (sample.velocity[k] - reaction.target_velocity[k]);
             let stress = volume * (sample.viscous_stress_divergence[k] - sample.pressure_gradient[k]);
-            (drag + stress) * step
+            (drag + sample.relayed_force[k] + stress) * step
         })
     }
 
-    /// Books the window. What the fluid gave without its grain receiving it is owed from now on: drag to the grain, stress
-    /// to the grain and the fluid that it displaces by their inertia. What was owed before is paid.
+    /// Books the window. What the fluid gave without its grain receiving it is owed to the grain from now on; what was owed
+    /// before is paid.
     pub fn settle(&self, samples: &[SampleRow], shape: Shape, step: f64, owed: &mut Owed) -> Crossed {
         let mut crossed = Crossed::default();
         for (row, sample) in samples.iter().enumerate() {
-            let gross = self.given(row, sample, shape, step);
-            let is_inside = sample.density > 0.0;
-            let paid = self.reactions[row].force.map(|force| if is_inside { force * step } else { 0.0 });
-            let received = self.received[row];
-            let late = self.late_stress_of_fluid(row, sample, shape, step);
-            let to_fluid = from_fn(|k| late[k] - paid[k]);
-            let to_grain = from_fn(|k| gross[k] - received[k] - late[k]);
-            owed.add(row, to_grain, to_fluid);
+            let (given, received) = (self.given(row, sample, shape, step), self.received[row]);
+            owed.add(row, from_fn(|k| given[k] - received[k]));
             for k in 0..3 {
-                crossed.given[k] += gross[k] - paid[k];
+                crossed.given[k] += given[k];
                 crossed.received[k] += received[k];
             }
         }
         crossed
-    }
-
-    /// The fluid's share ρV/(m + ρV) of the impulse of the stress at these samples beyond that of the samples felt \[N s\].
-    fn late_stress_of_fluid(&self, row: usize, sample: &SampleRow, shape: Shape, step: f64) -> Vector {
-        let felt = &self.felt[row];
-        if sample.density == 0.0 {
-            return [0.0; 3];
-        }
-        let stress = |s: &SampleRow, k: usize| s.viscous_stress_divergence[k] - s.pressure_gradient[k];
-        let volume = shape.volume(self.before[row].radius);
-        let displaced = sample.density * volume;
-        let share = displaced / (self.before[row].mass + displaced);
-        from_fn(|k| share * volume * step * (stress(sample, k) - stress(felt, k)))
     }
 
     /// The change of the forces in this iteration: what the fluid gives by its newest samples against what the grains

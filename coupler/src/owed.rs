@@ -1,20 +1,19 @@
-//! Impulses that one side gave and the other has not yet received: carried from window to window, grain by grain.
+//! Impulses that the fluid gave and the grains have not yet received: carried from window to window, grain by grain.
 
 use interface::frames::GrainRow;
 use interface::ledger::Vector;
 
-/// What is owed for each grain \[N s\]: to the grain, and for it to the fluid.
+/// What is owed to each grain \[N s\].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Owed {
     ids: Vec<u64>,
-    to_grains: Vec<Vector>,
-    to_fluid: Vec<Vector>,
+    impulses: Vec<Vector>,
 }
 
 impl Owed {
     /// From a restart point.
-    pub fn new(ids: Vec<u64>, to_grains: Vec<Vector>, to_fluid: Vec<Vector>) -> Owed {
-        Owed { ids, to_grains, to_fluid }
+    pub fn new(ids: Vec<u64>, impulses: Vec<Vector>) -> Owed {
+        Owed { ids, impulses }
     }
 
     /// Identities in row order.
@@ -23,13 +22,8 @@ impl Owed {
     }
 
     /// To each grain, in row order.
-    pub fn to_grains(&self) -> &[Vector] {
-        &self.to_grains
-    }
-
-    /// To the fluid for each grain, in row order.
-    pub fn to_fluid(&self) -> &[Vector] {
-        &self.to_fluid
+    pub fn impulses(&self) -> &[Vector] {
+        &self.impulses
     }
 
     /// Follows a new order of rows: nothing is owed for the newborn, and what was owed for grains that are gone goes with
@@ -40,23 +34,20 @@ impl Owed {
         let old_row =
             |id: u64| order.binary_search_by_key(&id, |(known, _)| *known).ok().map(|at| order[at].1);
         let rows: Vec<Option<usize>> = grains.iter().map(|grain| old_row(grain.id)).collect();
-        let pick = |old: &[Vector]| rows.iter().map(|row| row.map_or([0.0; 3], |row| old[row])).collect();
-        (self.to_grains, self.to_fluid) = (pick(&self.to_grains), pick(&self.to_fluid));
+        self.impulses = rows.iter().map(|row| row.map_or([0.0; 3], |row| self.impulses[row])).collect();
         self.ids = grains.iter().map(|grain| grain.id).collect();
     }
 
     /// Owes more.
-    pub fn add(&mut self, row: usize, to_grain: Vector, to_fluid: Vector) {
+    pub fn add(&mut self, row: usize, impulse: Vector) {
         for k in 0..3 {
-            self.to_grains[row][k] += to_grain[k];
-            self.to_fluid[row][k] += to_fluid[k];
+            self.impulses[row][k] += impulse[k];
         }
     }
 
-    /// Sum over both sides and all grains.
+    /// Sum over all grains.
     pub fn sum(&self) -> Vector {
-        let all = self.to_grains.iter().chain(&self.to_fluid);
-        all.fold([0.0; 3], |sum, impulse| std::array::from_fn(|k| sum[k] + impulse[k]))
+        self.impulses.iter().fold([0.0; 3], |sum, impulse| std::array::from_fn(|k| sum[k] + impulse[k]))
     }
 }
 
@@ -72,10 +63,9 @@ mod tests {
     fn debts_follow_their_grains_and_go_with_the_dead() {
         let mut owed = Owed::default();
         owed.follow(&[grain(0), grain(1), grain(2)]);
-        (0..3).for_each(|row| owed.add(row, [row as f64 + 1.0, 0.0, 0.0], [0.0, row as f64, 0.0]));
-        assert_eq!(owed.sum(), [6.0, 3.0, 0.0]);
+        (0..3).for_each(|row| owed.add(row, [row as f64 + 1.0, 0.0, 0.0]));
+        assert_eq!(owed.sum(), [6.0, 0.0, 0.0]);
         owed.follow(&[grain(2), grain(7), grain(0)]);
-        assert_eq!(owed.to_grains(), [[3.0, 0.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0]]);
-        assert_eq!(owed.to_fluid(), [[0.0, 2.0, 0.0], [0.0; 3], [0.0; 3]]);
+        assert_eq!(owed.impulses(), [[3.0, 0.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0]]);
     }
 }

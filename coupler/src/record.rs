@@ -113,9 +113,8 @@ pub struct Memory {
 /// # Errors
 /// The disk's.
 pub fn save(path: &Path, memory: &Memory, owed: &Owed) -> Result<(), CouplerError> {
-    let (to_grains, to_fluid) = (owed.to_grains().as_flattened(), owed.to_fluid().as_flattened());
     let writer = CheckpointWriter::new(PART, memory).array("ids", owed.ids());
-    Ok(writer.array("to-grains", to_grains).array("to-fluid", to_fluid).write(path)?)
+    Ok(writer.array("owed", owed.impulses().as_flattened()).write(path)?)
 }
 
 /// Reads the coupler's part of a restart point.
@@ -124,9 +123,7 @@ pub fn save(path: &Path, memory: &Memory, owed: &Owed) -> Result<(), CouplerErro
 /// A damaged or foreign file.
 pub fn load(path: &Path) -> Result<(Memory, Owed), CouplerError> {
     let checkpoint = Checkpoint::read(path, PART)?;
-    let vectors = |name: &str| -> Result<Vec<[f64; 3]>, CouplerError> {
-        Ok(checkpoint.array::<f64>(name)?.as_chunks::<3>().0.to_vec())
-    };
-    let owed = Owed::new(checkpoint.array("ids")?, vectors("to-grains")?, vectors("to-fluid")?);
+    let impulses: Vec<f64> = checkpoint.array("owed")?;
+    let owed = Owed::new(checkpoint.array("ids")?, impulses.as_chunks::<3>().0.to_vec());
     Ok((checkpoint.metadata()?, owed))
 }

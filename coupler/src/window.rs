@@ -4,9 +4,10 @@ use crate::acceleration::Acceleration;
 use crate::convergence::{Change, Judge, Residuals, Verdict};
 use crate::error::CouplerError;
 use crate::exchange::{Crossed, Exchange};
-use crate::interaction::{Interaction, Shape};
+use crate::interaction::{Interaction, Passage, Shape, compliant_reaction, reaction};
 use crate::owed::Owed;
 use crate::session::Session;
+use interface::frames::ReactionRow;
 use interface::ledger::{FluidLedger, GrainLedger};
 use interface::message::{Norms, Window};
 
@@ -26,6 +27,13 @@ pub struct Coupling {
     pub judge: Judge,
     /// How the iterations are relaxed. State: its factor starts the next window.
     pub relaxation: Acceleration,
+}
+
+impl Coupling {
+    /// What a grain does to the fluid: where nothing iterates, the fluid's solution knows how the grain gives way.
+    fn reaction(&self, passage: &Passage<'_>, step: f64) -> ReactionRow {
+        if self.implicit { reaction(passage, step) } else { compliant_reaction(passage, self.shape, step) }
+    }
 }
 
 /// What a window gave.
@@ -80,7 +88,7 @@ pub fn coupled_window(
         let ends = &mut session.ends;
         let (grains, impulses) =
             (ends.grains.of(window.number, iteration)?, ends.impulse.of(window.number, iteration)?);
-        exchange.react(&grains, &impulses, owed, window.step);
+        exchange.react(&grains, &impulses, window.step, |passage| coupling.reaction(passage, window.step));
         if !coupling.two_way {
             exchange.reactions.fill(Default::default());
         }

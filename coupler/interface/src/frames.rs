@@ -8,7 +8,7 @@ use bytemuck::{Pod, Zeroable};
 use iceoryx2::prelude::ZeroCopySend;
 
 /// Version of frames and messages; programs of different versions refuse each other.
-pub const PROTOCOL: u32 = 1;
+pub const PROTOCOL: u32 = 2;
 
 /// Which frame a row belongs to. From → to: `grains` dem → coupler and fluid, `impulse` dem → coupler,
 /// `samples` fluid → coupler, `hydro` coupler → dem, `reaction` coupler → fluid.
@@ -121,6 +121,9 @@ pub struct SampleRow {
     pub density: f64,
     /// Apparent dynamic viscosity μ \[Pa s\].
     pub viscosity: f64,
+    /// R(∇p − ∇p′) \[N\]: drag that the fluid's last solution holds because the grain hands the new pressure gradient on;
+    /// p′ is the pressure that was sampled before, R the reaction's `relayed_volume`.
+    pub relayed_force: [f64; 3],
 }
 
 /// What the fluid does to a grain during a window: F + β(u_f − v), on the inertia m + m_A.
@@ -139,7 +142,7 @@ pub struct HydroRow {
     pub added_mass: f64,
 }
 
-/// What a grain does to the fluid: F − β_e(u − v*).
+/// What a grain does to the fluid: F − β_e(u − v*) − R∇(p − p′), p′ the pressure that the grain felt.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable, ZeroCopySend)]
 #[repr(C)]
 pub struct ReactionRow {
@@ -151,6 +154,11 @@ pub struct ReactionRow {
     pub added_mass: f64,
     /// Target velocity v* \[m/s\].
     pub target_velocity: [f64; 3],
+    /// R \[m³\]: of the force −V∇p on the grain, the part −R∇p goes on to the fluid within the window by drag and added
+    /// mass. 0 where iterations tell the fluid of it.
+    pub relayed_volume: f64,
+    /// 1/m \[1/kg\]: what an impulse that is owed to the grain will change its velocity by; 0 as above.
+    pub inverse_mass: f64,
 }
 
 impl Row for GrainRow {

@@ -8,8 +8,10 @@
 //! - when u changes by δu over the window, X/Δt changes by β_e δu, **β_e = m/(m + m_A)·(β + m_A/Δt)·(1 − E)/x**.
 //!
 //! So the fluid is given the force −β_e(u − v*) with v* = u_f − X/(β_e Δt): it gets −X when u is the u_f that the grain
-//! felt, and resists change as the grain would. Stable for every x and every ratio of densities; conserved to round-off
-//! with [`undelivered`] carried into the grain's next window. x → 0 is the explicit exchange, one step of x ≪ 1 the implicit Euler one.
+//! felt, and resists change as the grain would. When F_o changes by δF, X changes by −R δF Δt, **R = 1 − m/(m + m_A)·(1 − E)/x**:
+//! that share of a force on the grain goes on to the fluid within the window. Stable for every x and every ratio of densities; conserved to round-off
+//! with what the fluid gives beyond X carried into the grain's next window. (Handed back to the fluid it would undo the
+//! implicit step: velocities then overshoot, by 70 % where the grains outweigh the fluid.) x → 0 is the explicit exchange, one step of x ≪ 1 the implicit Euler one.
 
 use std::array::from_fn;
 
@@ -72,9 +74,14 @@ pub fn effective_exchange_coefficient(
     exchange_coefficient: f64,
     window: f64,
 ) -> f64 {
+    kept_share(mass, added_mass, exchange_coefficient, window) * (exchange_coefficient + added_mass / window)
+}
+
+/// m/(m + m_A)·(1 − E)/x \[-\]: what a grain keeps, as its own momentum, of a constant force that acts through the window.
+/// The rest, R, it hands on to the fluid by drag and added mass; a grain that does not move (m = ∞) hands on nothing.
+pub fn kept_share(mass: f64, added_mass: f64, exchange_coefficient: f64, window: f64) -> f64 {
     let mobile = 1.0 / (1.0 + added_mass / mass);
-    let mean = Relaxation::over(exchange_coefficient * window / (mass + added_mass)).mean;
-    mobile * mean * (exchange_coefficient + added_mass / window)
+    mobile * Relaxation::over(exchange_coefficient * window / (mass + added_mass)).mean
 }
 
 /// Impulse X = J + m_A(Du/Dt Δt − Δv) \[N s\] that the grain took from the fluid by drag and added mass.
@@ -99,19 +106,6 @@ pub fn target_velocity_from_impulse(
         return fluid_velocity;
     }
     from_fn(|k| fluid_velocity[k] - impulse[k] / (effective_coefficient * window))
-}
-
-/// Impulse β_e Δt (u − u_f) \[N s\] that the fluid gave away and the grain has not received yet, because the fluid ended the
-/// window with u where the grain had felt u_f. It is owed to the grain, by the force of the next window: that completes
-/// the implicit step. (Handed back to the fluid it would undo that step: velocities then overshoot, by 70 % where the grains outweigh the
-/// fluid.)
-pub fn undelivered(
-    effective_coefficient: f64,
-    fluid_velocity_felt: [f64; 3],
-    fluid_velocity_reached: [f64; 3],
-    window: f64,
-) -> [f64; 3] {
-    from_fn(|k| effective_coefficient * window * (fluid_velocity_reached[k] - fluid_velocity_felt[k]))
 }
 
 #[cfg(test)]
@@ -189,6 +183,26 @@ mod tests {
     #[test]
     fn a_grain_that_does_not_move_resists_with_all_its_drag() {
         assert_eq!(effective_exchange_coefficient(f64::INFINITY, 2e-3, 5.0, 1e-3), 5.0 + 2e-3 / 1e-3);
+    }
+
+    /// The share kept against the change of the impulse that the grain takes when a constant force is added.
+    #[test]
+    fn what_a_grain_does_not_keep_of_a_force_it_hands_on() {
+        let (mass, window, v0, u) = (2e-4, 1e-3, 0.4, -0.2);
+        for (added, x) in [(0.0, 1e-6), (0.0, 0.7), (6e-4, 0.7), (3e-2, 5.0), (1e-5, 1e4)] {
+            let inertia = mass + added;
+            let beta = x * inertia / window;
+            let taken = |other: f64| {
+                let target = target_velocity([v0; 3], [other; 3], inertia, beta, window)[0];
+                let drag = beta * Relaxation::over(x).mean * (u - target) * window;
+                let change = (drag + other * window) / inertia;
+                impulse_taken([drag; 3], added, [0.0; 3], [change; 3], window)[0]
+            };
+            let handed_on = (taken(0.0) - taken(1.0)) / window;
+            let kept = kept_share(mass, added, beta, window);
+            assert!((handed_on + kept - 1.0).abs() < 1e-11, "{added} {x}: {handed_on} {kept}");
+        }
+        assert_eq!(kept_share(f64::INFINITY, 1.0, 5.0, window), 1.0);
     }
 
     /// β_e against the change of the impulse that the grain really takes, by exact integration at u and at u + δ.

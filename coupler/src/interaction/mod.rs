@@ -22,5 +22,5 @@ mod tests;
 
 pub use error::InteractionError;
 pub use model::{Interaction, Laws};
-pub use reaction::{Passage, reaction};
+pub use reaction::{Passage, compliant_reaction, reaction};
 pub use shape::Shape;

@@ -19,10 +19,6 @@ pub struct Laws {
     pub drag: Drag,
     /// Coefficient of added mass C_A \[-\]; 0 for none.
     pub added_mass: f64,
-    /// Whether −V∇p acts.
-    pub pressure_gradient_force: bool,
-    /// Whether +V∇·τ acts.
-    pub viscous_stress_force: bool,
     /// Whether the drag is corrected for the grain's own disturbance; only where the fluid feels the grains.
     pub self_disturbance: bool,
 }
@@ -55,7 +51,7 @@ impl Interaction {
 
     /// What the fluid does to a grain during a window of length Δt \[s\]: explicit force, torque, β, u_f, m_A.
     ///
-    /// `owed` \[N s\] is what [`undelivered`](super::exchange::undelivered) left of the committed window before; it
+    /// `owed` \[N s\] is what the fluid gave before this window and the grain has not received; it
     /// arrives as part of the explicit force. The slip is that of `grain.velocity`; `grain.angular_velocity` is that at the opening of the window. The parts of
     /// the grain's own force that −V∇p and +V∇·τ hold are taken out of β, where they are implicit and have a reaction.
     /// Outside the fluid (ρ = 0) nothing else acts. With the law `none` there is no viscous torque either.
@@ -78,18 +74,11 @@ impl Interaction {
         let added_mass = added_mass(self.laws.added_mass, sample.density, volume);
 
         let inertial = added_mass_force(added_mass, sample.acceleration);
-        let mut force: [f64; 3] = from_fn(|k| delivered[k] + inertial[k]);
-        if self.laws.pressure_gradient_force {
-            let pressure = pressure_gradient_force(volume, sample.pressure_gradient);
-            force = from_fn(|k| force[k] + pressure[k]);
-        }
-        if self.laws.viscous_stress_force {
-            let viscous = viscous_stress_force(volume, sample.viscous_stress_divergence);
-            force = from_fn(|k| force[k] + viscous[k]);
-        }
+        let pressure = pressure_gradient_force(volume, sample.pressure_gradient);
+        let viscous = viscous_stress_force(volume, sample.viscous_stress_divergence);
 
         let hydro = HydroRow {
-            force,
+            force: from_fn(|k| delivered[k] + inertial[k] + pressure[k] + viscous[k]),
             torque: self.torque(grain, sample, window),
             exchange_coefficient: self.exchange_coefficient(grain, sample, volume)?,
             fluid_velocity: sample.velocity,
@@ -127,13 +116,7 @@ impl Interaction {
                     reynolds: slip.particle_reynolds(),
                 }
             })?;
-        let mut held_by_stress = 0.0;
-        if self.laws.pressure_gradient_force {
-            held_by_stress += corrected.own_pressure_part;
-        }
-        if self.laws.viscous_stress_force {
-            held_by_stress += corrected.own_viscous_part;
-        }
+        let held_by_stress = corrected.own_pressure_part + corrected.own_viscous_part;
         Ok(corrected.exchange_coefficient * (1.0 - held_by_stress))
     }
 

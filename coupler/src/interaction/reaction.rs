@@ -2,7 +2,10 @@
 
 use interface::frames::{GrainRow, HydroRow, ImpulseRow, ReactionRow, SampleRow};
 
-use super::exchange::{effective_exchange_coefficient, impulse_taken, target_velocity_from_impulse};
+use super::Shape;
+use super::exchange::{
+    effective_exchange_coefficient, impulse_taken, kept_share, target_velocity_from_impulse,
+};
 
 /// A grain's passage through a window of length Δt.
 #[derive(Clone, Copy, Debug)]
@@ -19,21 +22,34 @@ pub struct Passage<'a> {
     pub impulse: &'a ImpulseRow,
 }
 
-/// The reaction F − β_e(u − v*) on the fluid over a window \[s\].
+/// The reaction F − β_e(u − v*) on the fluid over a window \[s\] of a grain that keeps to its motion.
 ///
 /// The fluid gets −X, X = J + m_A(Du/Dt Δt − Δv), as long as it keeps the velocity that the grain felt, and resists change
-/// as the grain does. The reactions to −V∇p and +V∇·τ are in the model A equations of the fluid, so F = 0. What the grain
-/// has not felt of the window's end is [`undelivered`](super::exchange::undelivered).
+/// as the grain does. The reactions to −V∇p and +V∇·τ are in the model A equations of the fluid, so F = 0. What the grain has not felt of the window's end
+/// is owed to it.
 pub fn reaction(passage: &Passage<'_>, window: f64) -> ReactionRow {
     let Passage { before, after, sample, hydro, impulse } = passage;
     let change = std::array::from_fn(|k| after.velocity[k] - before.velocity[k]);
     let taken = impulse_taken(impulse.drag, hydro.added_mass, sample.acceleration, change, window);
-    let coefficient =
-        effective_exchange_coefficient(before.mass, hydro.added_mass, hydro.exchange_coefficient, window);
+    let (added_mass, exchange_coefficient) = (hydro.added_mass, hydro.exchange_coefficient);
+    let coefficient = effective_exchange_coefficient(before.mass, added_mass, exchange_coefficient, window);
     ReactionRow {
         force: [0.0; 3],
         exchange_coefficient: coefficient,
         added_mass: hydro.added_mass,
         target_velocity: target_velocity_from_impulse(hydro.fluid_velocity, taken, coefficient, window),
+        ..ReactionRow::default()
+    }
+}
+
+/// The same of a grain that gives way to the change of the fluid in the step, where no iteration tells it of it: of a force
+/// on it the grain keeps a [share](kept_share) and hands on the rest, so R = V(1 − share).
+pub fn compliant_reaction(passage: &Passage<'_>, shape: Shape, window: f64) -> ReactionRow {
+    let Passage { before, hydro, .. } = passage;
+    let kept = kept_share(before.mass, hydro.added_mass, hydro.exchange_coefficient, window);
+    ReactionRow {
+        relayed_volume: shape.volume(before.radius) * (1.0 - kept),
+        inverse_mass: 1.0 / before.mass,
+        ..reaction(passage, window)
     }
 }

@@ -5,16 +5,10 @@ use std::array::from_fn;
 use interface::frames::{GrainRow, HydroRow, ImpulseRow, ReactionRow, SampleRow};
 
 use super::drag::Drag;
-use super::exchange::{Relaxation, target_velocity, undelivered};
+use super::exchange::{Relaxation, target_velocity};
 use super::{Interaction, InteractionError, Laws, Passage, Shape, reaction};
 
-const DRAG_ONLY: Laws = Laws {
-    drag: Drag::Stokes,
-    added_mass: 0.0,
-    pressure_gradient_force: false,
-    viscous_stress_force: false,
-    self_disturbance: false,
-};
+const STOKES: Laws = Laws { drag: Drag::Stokes, added_mass: 0.0, self_disturbance: false };
 
 fn water() -> SampleRow {
     SampleRow {
@@ -73,7 +67,7 @@ impl PeriodicBox {
                 + window * (row.force[k] + resistance * row.target_velocity[k]);
             momentum / (self.fluid_mass + window * resistance)
         });
-        self.owed = undelivered(resistance, self.fluid, reached, window);
+        self.owed = from_fn(|k| resistance * window * (reached[k] - self.fluid[k]));
         self.fluid_acceleration = from_fn(|k| (reached[k] - self.fluid[k]) / window);
         self.fluid = reached;
         self.grain = after;
@@ -135,8 +129,7 @@ fn a_suspension_relaxes_to_its_mixture_velocity_at_the_exact_rate() {
 
 #[test]
 fn a_neutrally_buoyant_grain_at_rest_in_still_water_stays_at_rest() {
-    let laws =
-        Laws { pressure_gradient_force: true, viscous_stress_force: true, added_mass: 0.5, ..DRAG_ONLY };
+    let laws = Laws { added_mass: 0.5, ..STOKES };
     let interaction = Interaction::new(laws, Shape::Sphere).unwrap();
     let sample = SampleRow { pressure_gradient: [0.0, 0.0, -998.2 * 9.81], ..water() };
     let mass = 998.2 * Shape::Sphere.volume(1e-3);
@@ -149,7 +142,7 @@ fn a_neutrally_buoyant_grain_at_rest_in_still_water_stays_at_rest() {
 /// Force balance of a 2 mm glass sphere in water, Schiller & Naumann: 0.26765428 m/s.
 #[test]
 fn a_glass_sphere_of_two_millimetres_settles_at_its_published_speed() {
-    let laws = Laws { drag: Drag::SchillerNaumann, pressure_gradient_force: true, ..DRAG_ONLY };
+    let laws = Laws { drag: Drag::SchillerNaumann, ..STOKES };
     let interaction = Interaction::new(laws, Shape::Sphere).unwrap();
     let sample = SampleRow { pressure_gradient: [0.0, 0.0, -998.2 * 9.81], ..water() };
     let mut grain = glass(1e-3);
@@ -163,12 +156,7 @@ fn a_glass_sphere_of_two_millimetres_settles_at_its_published_speed() {
 /// The grain's own force F comes back as φ_own F(1/3 + 2Ψ₂/3) in the stress forces; with it the total is F.
 #[test]
 fn drag_and_own_stress_together_are_the_undisturbed_drag() {
-    let laws = Laws {
-        pressure_gradient_force: true,
-        viscous_stress_force: true,
-        self_disturbance: true,
-        ..DRAG_ONLY
-    };
+    let laws = Laws { self_disturbance: true, ..STOKES };
     let grain = glass(1e-3);
     // Creeping flow: the sample has lost s β of the slip U, and V∇·σ holds φ_own of the drag.
     let (slip, own_share) =
@@ -193,7 +181,7 @@ fn drag_and_own_stress_together_are_the_undisturbed_drag() {
 /// dv/dt = 3/(1 + 2 ρ_p/ρ) Du/Dt without drag: −∇p = ρ Du/Dt and added mass 1/2.
 #[test]
 fn a_light_sphere_outruns_an_accelerated_fluid_by_its_added_mass() {
-    let laws = Laws { drag: Drag::None, added_mass: 0.5, pressure_gradient_force: true, ..DRAG_ONLY };
+    let laws = Laws { drag: Drag::None, added_mass: 0.5, ..STOKES };
     let sample =
         SampleRow { acceleration: [0.7, 0.0, 0.0], pressure_gradient: [-0.7 * 998.2, 0.0, 0.0], ..water() };
     let grain = GrainRow { mass: 0.1 * 998.2 * Shape::Sphere.volume(1e-3), ..glass(1e-3) };
@@ -210,7 +198,7 @@ fn in_a_long_window_grains_take_half_the_vorticity_as_their_spin() {
     for (drag, shape, factor) in
         [(Drag::Stokes, Shape::Sphere, 0.4), (Drag::DiFeliceCylinder, Shape::Disc { depth: 0.2 }, 0.5)]
     {
-        let interaction = Interaction::new(Laws { drag, ..DRAG_ONLY }, shape).unwrap();
+        let interaction = Interaction::new(Laws { drag, ..STOKES }, shape).unwrap();
         let grain = GrainRow { angular_velocity: [0.0, 0.0, -3.0], ..glass(1e-3) };
         let hydro = interaction.evaluate(&grain, &sample, [0.0; 3], 1e4).unwrap();
         let spin = -3.0 + hydro.torque[2] * 1e4 / (factor * grain.mass * 1e-6);
@@ -220,7 +208,7 @@ fn in_a_long_window_grains_take_half_the_vorticity_as_their_spin() {
 
 #[test]
 fn outside_the_fluid_nothing_acts_but_what_is_owed() {
-    let interaction = Interaction::new(Laws { added_mass: 0.5, ..DRAG_ONLY }, Shape::Sphere).unwrap();
+    let interaction = Interaction::new(Laws { added_mass: 0.5, ..STOKES }, Shape::Sphere).unwrap();
     let grain = GrainRow { velocity: [1.0, 2.0, 3.0], ..glass(1e-3) };
     let hydro = interaction.evaluate(&grain, &SampleRow::default(), [4e-9, 0.0, -1e-9], 0.5).unwrap();
     assert_eq!((hydro.force, hydro.torque), ([8e-9, 0.0, -2e-9], [0.0; 3]));
@@ -233,21 +221,21 @@ fn outside_the_fluid_nothing_acts_but_what_is_owed() {
 #[test]
 fn laws_of_spheres_are_refused_for_discs_and_the_other_way_round() {
     let disc = Shape::Disc { depth: 1.0 };
-    let refused = Interaction::new(Laws { drag: Drag::DiFelice, ..DRAG_ONLY }, disc).unwrap_err();
+    let refused = Interaction::new(Laws { drag: Drag::DiFelice, ..STOKES }, disc).unwrap_err();
     assert_eq!(
         refused.to_string(),
         "coupling.drag: the law \"di-felice\" is fitted to spheres (3D), the grains are discs (2D); \
          allowed: none, di-felice-cylinder; choose one of them"
     );
-    assert!(Interaction::new(Laws { drag: Drag::DiFeliceCylinder, ..DRAG_ONLY }, Shape::Sphere).is_err());
-    assert!(Interaction::new(Laws { drag: Drag::DiFeliceCylinder, ..DRAG_ONLY }, disc).is_ok());
-    assert!(Interaction::new(Laws { added_mass: f64::NAN, ..DRAG_ONLY }, Shape::Sphere).is_err());
-    assert!(Interaction::new(Laws { added_mass: -0.5, ..DRAG_ONLY }, Shape::Sphere).is_err());
+    assert!(Interaction::new(Laws { drag: Drag::DiFeliceCylinder, ..STOKES }, Shape::Sphere).is_err());
+    assert!(Interaction::new(Laws { drag: Drag::DiFeliceCylinder, ..STOKES }, disc).is_ok());
+    assert!(Interaction::new(Laws { added_mass: f64::NAN, ..STOKES }, Shape::Sphere).is_err());
+    assert!(Interaction::new(Laws { added_mass: -0.5, ..STOKES }, Shape::Sphere).is_err());
 }
 
 #[test]
 fn what_no_law_is_made_for_is_refused_by_name() {
-    let interaction = Interaction::new(DRAG_ONLY, Shape::Sphere).unwrap();
+    let interaction = Interaction::new(STOKES, Shape::Sphere).unwrap();
     let refused =
         |grain: GrainRow, sample: SampleRow| match interaction.evaluate(&grain, &sample, [0.0; 3], 1e-3) {
             Err(InteractionError::OutOfRange { grain: 7, quantity, .. }) => quantity,
@@ -267,7 +255,7 @@ fn what_no_law_is_made_for_is_refused_by_name() {
 
 #[test]
 fn a_grain_that_disturbs_its_sample_too_much_is_named() {
-    let interaction = Interaction::new(Laws { self_disturbance: true, ..DRAG_ONLY }, Shape::Sphere).unwrap();
+    let interaction = Interaction::new(Laws { self_disturbance: true, ..STOKES }, Shape::Sphere).unwrap();
     let sample = SampleRow { kernel_width: 1e-3, void_fraction: 0.99, own_share: 0.01, ..water() };
     let error = interaction.evaluate(&glass(1e-3), &sample, [0.0; 3], 1e-3).unwrap_err();
     let message = error.to_string();
@@ -277,7 +265,7 @@ fn a_grain_that_disturbs_its_sample_too_much_is_named() {
 
 #[test]
 fn a_frozen_grain_gives_the_fluid_all_its_drag() {
-    let interaction = Interaction::new(DRAG_ONLY, Shape::Sphere).unwrap();
+    let interaction = Interaction::new(STOKES, Shape::Sphere).unwrap();
     let grain = GrainRow { mass: f64::INFINITY, ..glass(1e-3) };
     let sample = SampleRow { velocity: [0.2, 0.0, 0.0], ..water() };
     let hydro = interaction.evaluate(&grain, &sample, [0.0; 3], 1e-3).unwrap();

@@ -11,7 +11,7 @@ use interface::message::Surface;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
-/// The field and where the grains are.
+/// The field, where the grains are, and the field there.
 pub struct Imposed {
     field: Field,
     density: f64,
@@ -21,7 +21,9 @@ pub struct Imposed {
     time: f64,
     saved_time: f64,
     grains: Vec<GrainRow>,
+    samples: Vec<SampleRow>,
     saved_grains: Vec<GrainRow>,
+    saved_samples: Vec<SampleRow>,
 }
 
 impl Imposed {
@@ -37,7 +39,9 @@ impl Imposed {
             time: 0.0,
             saved_time: 0.0,
             grains: Vec::new(),
+            samples: Vec::new(),
             saved_grains: Vec::new(),
+            saved_samples: Vec::new(),
         })
     }
 
@@ -57,8 +61,40 @@ impl Imposed {
         }
     }
 
+    /// Velocity near a grain, which must be finite.
+    fn velocity_near(&self, grain: u64, point: [f64; 3], time: f64) -> Result<[f64; 3], FluidError> {
+        let velocity = self.velocity(point, time);
+        match velocity.iter().position(|component| !component.is_finite()) {
+            None => Ok(velocity),
+            Some(axis) => Err(FluidError::FieldNotFinite {
+                key: format!("fluid.field.velocity[{axis}]"),
+                expression: self.field.velocity[axis].text().to_string(),
+                grain,
+                position: point,
+                time,
+                value: velocity[axis],
+            }),
+        }
+    }
+
+    /// Pressure near a grain, which must be finite.
+    fn pressure_near(&self, grain: u64, point: [f64; 3], time: f64) -> Result<f64, FluidError> {
+        let pressure = self.pressure(point, time);
+        if pressure.is_finite() {
+            return Ok(pressure);
+        }
+        Err(FluidError::FieldNotFinite {
+            key: "fluid.field.pressure".to_string(),
+            expression: self.field.pressure.text().to_string(),
+            grain,
+            position: point,
+            time,
+            value: pressure,
+        })
+    }
+
     /// Central differences over a length `h` that the rounding of a smooth field allows.
-    fn sample_at(&self, grain: &GrainRow) -> SampleRow {
+    fn sample_at(&self, grain: &GrainRow) -> Result<SampleRow, FluidError> {
         let (x, t) = (grain.position, self.time);
         let h = 1e-4 * grain.radius.max(1e-3);
         let shifted = |axis: usize, by: f64| {
@@ -66,30 +102,32 @@ impl Imposed {
             point[axis] += by;
             point
         };
-        let u = self.velocity(x, t);
+        let velocity = |point: [f64; 3], time: f64| self.velocity_near(grain.id, point, time);
+        let pressure = |point: [f64; 3]| self.pressure_near(grain.id, point, t);
+        let u = velocity(x, t)?;
         let mut gradient = [[0.0; 3]; 3];
         let mut laplacian = [0.0; 3];
         let mut pressure_gradient = [0.0; 3];
         for axis in 0..self.dimension {
             let (ahead, behind) = (shifted(axis, h), shifted(axis, -h));
-            let (u_ahead, u_behind) = (self.velocity(ahead, t), self.velocity(behind, t));
+            let (u_ahead, u_behind) = (velocity(ahead, t)?, velocity(behind, t)?);
             for i in 0..3 {
                 gradient[i][axis] = (u_ahead[i] - u_behind[i]) / (2.0 * h);
             }
             // Second differences want a wider stencil: their rounding grows as 1/h².
             let wide = 100.0 * h;
-            let (far, near) = (self.velocity(shifted(axis, wide), t), self.velocity(shifted(axis, -wide), t));
+            let (far, near) = (velocity(shifted(axis, wide), t)?, velocity(shifted(axis, -wide), t)?);
             for i in 0..3 {
                 laplacian[i] += (far[i] - 2.0 * u[i] + near[i]) / (wide * wide);
             }
-            pressure_gradient[axis] = (self.pressure(ahead, t) - self.pressure(behind, t)) / (2.0 * h);
+            pressure_gradient[axis] = (pressure(ahead)? - pressure(behind)?) / (2.0 * h);
         }
         let dt = 1e-6;
-        let (later, earlier) = (self.velocity(x, t + dt), self.velocity(x, t - dt));
+        let (later, earlier) = (velocity(x, t + dt)?, velocity(x, t - dt)?);
         let acceleration = std::array::from_fn(|i| {
             (later[i] - earlier[i]) / (2.0 * dt) + (0..3).map(|j| u[j] * gradient[i][j]).sum::<f64>()
         });
-        SampleRow {
+        Ok(SampleRow {
             velocity: u,
             pressure_gradient,
             viscous_stress_divergence: laplacian.map(|value| self.viscosity * value),
@@ -104,7 +142,8 @@ impl Imposed {
             own_share: 0.0,
             density: self.density,
             viscosity: self.viscosity,
-        }
+            relayed_force: [0.0; 3],
+        })
     }
 }
 
@@ -129,17 +168,20 @@ impl FluidBackend for Imposed {
         self.time = time;
         self.grains.clear();
         self.grains.extend_from_slice(grains);
+        self.samples = grains.iter().map(|grain| self.sample_at(grain)).collect::<Result<_, _>>()?;
         Ok(())
     }
 
     fn save(&mut self) {
         self.saved_time = self.time;
         self.saved_grains.clone_from(&self.grains);
+        self.saved_samples.clone_from(&self.samples);
     }
 
     fn restore(&mut self) {
         self.time = self.saved_time;
         self.grains.clone_from(&self.saved_grains);
+        self.samples.clone_from(&self.saved_samples);
     }
 
     fn project(&mut self, step: Step, grains: &[GrainRow]) -> Result<(), FluidError> {
@@ -148,8 +190,7 @@ impl FluidBackend for Imposed {
 
     fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Solution, FluidError> {
         let mut ledger = FluidLedger::default();
-        for (grain, reaction) in self.grains.iter().zip(reactions) {
-            let sample = self.sample_at(grain);
+        for ((grain, sample), reaction) in self.grains.iter().zip(&self.samples).zip(reactions) {
             let volume = self.volume(grain.radius);
             for i in 0..3 {
                 let drag = reaction.exchange_coefficient * (sample.velocity[i] - reaction.target_velocity[i]);
@@ -170,7 +211,7 @@ impl FluidBackend for Imposed {
     fn prepare_samples(&mut self) {}
 
     fn sample(&self, row: usize) -> SampleRow {
-        self.sample_at(&self.grains[row])
+        self.samples[row]
     }
 
     fn commit(&mut self, step: Step) {

@@ -70,6 +70,8 @@ fn reactions(grains: &[GrainRow], step: f64, random: &mut Random) -> Vec<Reactio
         exchange_coefficient: [0.0, 1e-2, 1.0, 1e2, 1e4][p % 5] * row.mass / step,
         added_mass: 0.0,
         target_velocity: row.velocity,
+        relayed_volume: random.unit() * row.radius.powi(3),
+        inverse_mass: 1.0 / (row.mass * (1.0 + [0.0, 1e-2, 1.0, 1e2, 1e4][p % 5])),
     };
     grains.iter().enumerate().map(reaction).collect()
 }
@@ -111,7 +113,7 @@ fn ledger_closes<const D: usize, const N: usize>(cells: usize, count: usize) {
     }
 }
 
-/// Σ_p V_p(−∇p + ∇·τ)_p Δt is the ledger's stress, Σ_p β_e(u_p − v*)Δt its drag.
+/// Σ_p V_p(−∇p + ∇·τ)_p Δt is the ledger's stress, Σ_p [β_e(u_p − v*) + R∇(p − p′)]Δt its drag.
 fn what_grains_sample_is_what_the_fluid_gives<const D: usize, const N: usize>(
     backend: &Eulerian<D, N>,
     grains: &[GrainRow],
@@ -129,9 +131,10 @@ fn what_grains_sample_is_what_the_fluid_gives<const D: usize, const N: usize>(
         for k in 0..3 {
             stress[k] +=
                 volume * (sample.viscous_stress_divergence[k] - sample.pressure_gradient[k]) * length;
-            drag[k] +=
-                reaction.exchange_coefficient * (sample.velocity[k] - reaction.target_velocity[k]) * length;
+            let drag_k = reaction.exchange_coefficient * (sample.velocity[k] - reaction.target_velocity[k]);
+            drag[k] += (drag_k + sample.relayed_force[k]) * length;
         }
+        assert!(sample.density == 0.0 || sample.relayed_force != [0.0; 3]);
     }
     for k in 0..3 {
         assert!((stress[k] - ledger.stress[k]).abs() <= 1e-12 * ledger.scale, "{stress:?} {ledger:?}");

@@ -1,5 +1,6 @@
 //! Fills the matrices of a step.
 
+use super::compliance::{CompliantCell, Given};
 use super::incidence::{Incidence, ROWS, for_each_node, for_each_row};
 use super::matrices::{Coupling, Matrices, Recovery, Right};
 use super::outlet::Outlets;
@@ -23,6 +24,8 @@ pub struct Ingredients<'a, const D: usize, const N: usize> {
     pub convecting: &'a [Vector<D>],
     /// Drag coefficient per volume at the nodes (kg/(m³ s)).
     pub drag: &'a [f64],
+    /// How the grains give way.
+    pub given: Given<'a, D>,
     pub rule: TimeRule,
     pub step: f64,
     pub state: &'a State<D>,
@@ -205,11 +208,40 @@ impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
             target.laplacian += element.laplacian(i, j);
             right.source -= volume * share::<N>(i, j) * self.void_rate(nodes[j] as usize);
         }
+        self.add_compliance(cell, i, &nodes, places, entries, right);
         let weight = mean(&nodes.map(|node| self.acceleration[node as usize])).map(|a| self.density * a);
         right.source += element.drive(i, &weight);
         let recovered = element.recover(i, &weight);
         for k in 0..D {
             right.recovered_weight[k] += recovered[k];
+        }
+    }
+
+    fn add_compliance(
+        &self,
+        cell: usize,
+        i: usize,
+        nodes: &[u32; N],
+        places: &[u32; N],
+        entries: &mut [Coupling<D>],
+        right: &mut Right<D>,
+    ) {
+        let Given { compliance, velocity, pressure } = self.given;
+        if compliance.is_empty() {
+            return;
+        }
+        let nodal = nodes.map(|node| compliance[node as usize]);
+        let element = CompliantCell::new(self.porous_cell(cell, nodes), &nodal);
+        for (j, (&place, &node)) in places.iter().zip(nodes).enumerate() {
+            let (target, node) = (&mut entries[place as usize], node as usize);
+            let (relay, entrain, press) = (element.relay(i, j), element.entrain(i, j), element.press(i, j));
+            for k in 0..D {
+                target.gradient[k] -= relay[k];
+                target.divergence[k] += entrain[k];
+                right.force[k] += relay[k] * pressure[node];
+            }
+            target.laplacian += press;
+            right.source += press * pressure[node] + dot(&entrain, &velocity[node]);
         }
     }
 

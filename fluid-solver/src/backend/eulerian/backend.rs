@@ -3,7 +3,7 @@
 use super::exchange::Exchange;
 use super::flow::{Flow, in_space};
 use super::grains::GrainsOnMesh;
-use super::recovery::Recovered;
+use super::recovery::{Recovered, gradient_changes};
 use super::state::State;
 use crate::backend::{FluidBackend, PointValue, Solution, Step};
 use crate::element::simplex::Vector;
@@ -86,7 +86,9 @@ impl<const D: usize, const N: usize> Eulerian<D, N> {
 
     /// In one-way coupling whatever drives the fluid takes what the grains give.
     fn book_one_way(&self, step: Step, ledger: &mut FluidLedger) {
-        let (drag, explicit, scale) = self.grains.exchange.totals(&self.flow.state().velocity);
+        let velocity = &self.flow.state().velocity;
+        let (drag, explicit, scale) =
+            self.grains.exchange.totals(velocity, &gradient_changes(&self.recovered));
         let mut stress = [0.0; D];
         for (a, recovered) in self.recovered.iter().enumerate() {
             let solids = (1.0 - self.grains.void_fraction[a]) * self.flow.mesh().measure()[a];
@@ -139,7 +141,9 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
         if self.response == Response::TwoWay {
             self.flow.state_mut().reset_void_fraction(&self.grains.void_fraction);
         }
-        self.prepare_samples();
+        if self.grains.count() > 0 {
+            self.flow.recover(&mut self.recovered);
+        }
         Ok(())
     }
 
@@ -186,14 +190,12 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
 
     fn prepare_samples(&mut self) {
         if self.grains.count() > 0 {
-            self.flow.recover(&mut self.recovered);
             self.grains.sample(&self.flow, &self.recovered);
         }
     }
 
     fn sample(&self, row: usize) -> SampleRow {
-        let properties = self.flow.properties();
-        self.grains.row(row, self.flow.mesh().measure(), properties.density, properties.viscosity)
+        self.grains.row(row, &self.flow, self.depth)
     }
 
     fn commit(&mut self, step: Step) {

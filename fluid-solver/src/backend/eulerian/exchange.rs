@@ -1,5 +1,6 @@
 //! Momentum exchange with the grains: the reaction F − β_e(u − v*) of every grain, spread by its weights.
 
+use super::compliance::Compliance;
 use crate::deposit::Deposit;
 use crate::element::simplex::Vector;
 use crate::sample::sample;
@@ -15,6 +16,35 @@ pub struct Reaction<const D: usize> {
     pub target: Vector<D>,
     /// F (N; N/m in 2D).
     pub force: Vector<D>,
+    /// R (m³; m² in 2D).
+    pub relayed_volume: f64,
+    /// V (m³; m² in 2D).
+    pub volume: f64,
+    /// 1/m (1/kg; m/kg in 2D); 0 for a grain that does not give way.
+    pub inverse_mass: f64,
+}
+
+/// The grains' drag at the nodes, d_a u_a − g_a (N).
+///
+/// A node takes the share w_pa of a grain's resistance at its *own* velocity: Σ_a w_pa β_e(u_a − v*) = β_e(u_p − v*) is the
+/// force by the sampled velocity u_p, so the grain feels nothing of it, the sum over nodes is exact, the system stays
+/// sparse, and a bed resists flow on every wavelength, also those that its kernels average out.
+#[derive(Debug, Clone, Default)]
+pub struct NodalDrag<const D: usize> {
+    /// d_a = Σ_p w_pa β_e (kg/s).
+    pub resistance: Vec<f64>,
+    /// g_a = Σ_p w_pa (β_e v* + F) (N).
+    pub given: Vec<Vector<D>>,
+}
+
+impl<const D: usize> NodalDrag<D> {
+    /// No drag at this many nodes.
+    pub fn clear(&mut self, nodes: usize) {
+        self.resistance.clear();
+        self.resistance.resize(nodes, 0.0);
+        self.given.clear();
+        self.given.resize(nodes, [0.0; D]);
+    }
 }
 
 /// The reactions of all grains on the fluid.
@@ -24,15 +54,19 @@ pub struct Exchange<const D: usize> {
     weights: Weights,
     reactions: Vec<Reaction<D>>,
     silent: bool,
+    /// The grains give way inside the step.
+    compliant: bool,
     scratch: RefCell<Scratch<D>>,
 }
 
 #[derive(Debug, Default)]
 struct Scratch<const D: usize> {
     at_grains: Vec<Vector<D>>,
-    coefficients: Vec<[f64; 1]>,
+    gradients: Vec<Vector<D>>,
+    coefficients: Vec<[f64; 4]>,
+    lumped: Vec<[f64; 4]>,
     deposit: Deposit<D>,
-    deposit_scalar: Deposit<1>,
+    deposit_lumped: Deposit<4>,
 }
 
 /// Which part of an affine map is meant.
@@ -45,7 +79,19 @@ pub enum Part {
 }
 
 impl<const D: usize> Reaction<D> {
-    const NONE: Self = Self { coefficient: 0.0, target: [0.0; D], force: [0.0; D] };
+    const NONE: Self = Self {
+        coefficient: 0.0,
+        target: [0.0; D],
+        force: [0.0; D],
+        relayed_volume: 0.0,
+        volume: 0.0,
+        inverse_mass: 0.0,
+    };
+
+    /// β_e v* + F: the force on a fluid at rest.
+    fn at_rest(&self) -> Vector<D> {
+        std::array::from_fn(|k| self.coefficient * self.target[k] + self.force[k])
+    }
 
     /// β_e(u − v*).
     fn drag(&self, velocity: &Vector<D>) -> Vector<D> {
@@ -71,6 +117,7 @@ impl<const D: usize> Exchange<D> {
         self.reactions.extend(reactions);
         self.reactions.resize(self.weights.grains(), Reaction::NONE);
         self.silent = self.reactions.iter().all(|r| r.coefficient == 0.0 && r.force == [0.0; D]);
+        self.compliant = self.reactions.iter().any(|r| r.relayed_volume > 0.0 || r.inverse_mass > 0.0);
     }
 
     /// Whether no grain acts on the fluid.
@@ -78,59 +125,69 @@ impl<const D: usize> Exchange<D> {
         self.silent || self.weights.grains() == 0
     }
 
-    /// Σ_p w_pa [β_e(u − v*) − F], or its linear part: the force on the grains, by nodes (N).
-    pub fn force_on_grains(&self, part: Part, velocity: &[Vector<D>], nodal: &mut [Vector<D>]) {
-        let Scratch { at_grains, deposit, .. } = &mut *self.scratch.borrow_mut();
-        at_grains.resize(self.weights.grains(), [0.0; D]);
-        sample(&self.weights, velocity, at_grains);
-        for (value, reaction) in at_grains.iter_mut().zip(&self.reactions) {
-            *value = match part {
-                Part::Linear => value.map(|u| reaction.coefficient * u),
-                Part::Affine => {
-                    let drag = reaction.drag(value);
-                    std::array::from_fn(|k| drag[k] - reaction.force[k])
-                }
-            };
+    /// The drag at the nodes, and how the grains give way in a step (s) of a time rule with the leading coefficient `rate`
+    /// (1/s).
+    pub fn lump(
+        &self,
+        measure: &[f64],
+        (rate, step): (f64, f64),
+        drag: &mut NodalDrag<D>,
+        compliance: &mut Vec<Compliance>,
+    ) {
+        compliance.clear();
+        drag.clear(measure.len());
+        if self.is_silent() {
+            return;
         }
-        deposit.apply(&self.weights, at_grains, nodal);
-    }
-
-    /// Σ_p w_pa β_e: the lumped diagonal of the drag (kg/s).
-    pub fn lumped(&self, nodal: &mut [f64]) {
-        let Scratch { coefficients, deposit_scalar, .. } = &mut *self.scratch.borrow_mut();
+        let Scratch { at_grains, coefficients, lumped, deposit, deposit_lumped, .. } =
+            &mut *self.scratch.borrow_mut();
+        at_grains.clear();
+        at_grains.extend(self.reactions.iter().map(Reaction::at_rest));
+        deposit.apply(&self.weights, at_grains, &mut drag.given);
         coefficients.clear();
-        coefficients.extend(self.reactions.iter().map(|reaction| [reaction.coefficient]));
-        deposit_scalar.apply(&self.weights, coefficients, nodal.as_chunks_mut().0);
-    }
-
-    /// Σ_p w_pa² β_e: the diagonal of the drag (kg/s), small against the lumped one for kernels of many nodes.
-    pub fn diagonal(&self, nodal: &mut [f64]) {
-        nodal.fill(0.0);
-        for (p, reaction) in self.reactions.iter().enumerate() {
-            let (nodes, weights) = self.weights.row(p);
-            for (&node, weight) in nodes.iter().zip(weights) {
-                nodal[node as usize] += weight * weight * reaction.coefficient;
+        coefficients.extend(self.reactions.iter().map(|grain| {
+            let moved = rate * step * step * grain.volume * grain.inverse_mass;
+            let kept = grain.volume - grain.relayed_volume;
+            [grain.coefficient, grain.relayed_volume, moved * grain.coefficient, moved * kept]
+        }));
+        lumped.resize(measure.len(), [0.0; 4]);
+        deposit_lumped.apply(&self.weights, coefficients, lumped);
+        for ((sums, measure), resistance) in lumped.iter().zip(measure).zip(&mut drag.resistance) {
+            *resistance = sums[0];
+            if self.compliant {
+                let [_, relayed, entrained, pressed] = sums.map(|sum| sum / measure);
+                compliance.push(Compliance { relayed, entrained, pressed });
             }
         }
     }
 
-    /// Sums over the grains in the fluid: drag Σβ_e(u − v*), explicit force ΣF, and Σ of the sizes of both (N).
-    pub fn totals(&self, velocity: &[Vector<D>]) -> (Vector<D>, Vector<D>, f64) {
-        let at_grains = &mut self.scratch.borrow_mut().at_grains;
+    /// Sums over the grains in the fluid: drag Σ[β_e(u − v*) + R ∇(p − p′)], explicit force ΣF, and Σ of the sizes (N);
+    /// `gradient` is the nodal ∇(p − p′).
+    pub fn totals(&self, velocity: &[Vector<D>], gradient: &[Vector<D>]) -> (Vector<D>, Vector<D>, f64) {
+        let Scratch { at_grains, gradients, .. } = &mut *self.scratch.borrow_mut();
         at_grains.resize(self.weights.grains(), [0.0; D]);
+        gradients.resize(self.weights.grains(), [0.0; D]);
         sample(&self.weights, velocity, at_grains);
+        sample(&self.weights, gradient, gradients);
         let (mut drag, mut explicit, mut scale) = ([0.0; D], [0.0; D], 0.0);
-        for (p, (u, reaction)) in at_grains.iter().zip(&self.reactions).enumerate() {
+        for (p, ((u, gradient), reaction)) in at_grains.iter().zip(gradients).zip(&self.reactions).enumerate()
+        {
             if self.weights.row(p).0.is_empty() {
                 continue;
             }
             let force = reaction.drag(u);
             for k in 0..D {
-                drag[k] += force[k];
+                let relayed = reaction.relayed_volume * gradient[k];
+                drag[k] += force[k] + relayed;
                 explicit[k] += reaction.force[k];
-                scale += force[k].abs() + reaction.force[k].abs();
+                scale += force[k].abs() + relayed.abs() + reaction.force[k].abs();
             }
         }
         (drag, explicit, scale)
+    }
+
+    /// R of a grain (m³; m² in 2D); 0 while the grains are silent.
+    pub fn relayed_volume(&self, grain: usize) -> f64 {
+        if self.is_silent() { 0.0 } else { self.reactions[grain].relayed_volume }
     }
 }

@@ -14,8 +14,8 @@ use std::f64::consts::PI;
 
 /// Void fractions below this are refused: discs and spheres in contact leave more.
 const SMALLEST_VOID_FRACTION: f64 = 0.05;
-/// Numbers per node that are sampled: u, ∇p, ∇·τ, Du/Dt, ∇×u with three components each, and ε.
-const SAMPLED: usize = 16;
+/// Numbers per node that are sampled: u, ∇p, ∇·τ, Du/Dt, ∇×u, ∇(p − p′) with three components each, and ε.
+const SAMPLED: usize = 19;
 
 /// The grains placed last.
 pub struct GrainsOnMesh<const D: usize> {
@@ -137,10 +137,13 @@ impl<const D: usize> GrainsOnMesh<D> {
 
     /// Takes the reactions, those of a slab of `depth` (m) in 2D.
     pub fn react(&mut self, reactions: &[ReactionRow], depth: f64) {
-        self.exchange.react(reactions.iter().map(|row| Reaction {
+        self.exchange.react(reactions.iter().zip(&self.volumes).map(|(row, &volume)| Reaction {
             coefficient: row.exchange_coefficient / depth,
             target: std::array::from_fn(|k| row.target_velocity[k]),
             force: std::array::from_fn(|k| row.force[k] / depth),
+            relayed_volume: row.relayed_volume / depth,
+            volume,
+            inverse_mass: row.inverse_mass * depth,
         }));
     }
 
@@ -155,6 +158,7 @@ impl<const D: usize> GrainsOnMesh<D> {
                 in_space(&r.stress_divergence),
                 in_space(&r.acceleration),
                 r.vorticity,
+                in_space(&r.gradient_change),
             ];
             std::array::from_fn(|k| if k < SAMPLED - 1 { vectors[k / 3][k % 3] } else { *void })
         }));
@@ -164,8 +168,9 @@ impl<const D: usize> GrainsOnMesh<D> {
         }
     }
 
-    /// The row of a grain; density 0 outside the fluid.
-    pub fn row(&self, row: usize, measure: &[f64], density: f64, viscosity: f64) -> SampleRow {
+    /// The row of a grain, that of a slab of `depth` (m) in 2D; density 0 outside the fluid.
+    pub fn row<const N: usize>(&self, row: usize, flow: &Flow<D, N>, depth: f64) -> SampleRow {
+        let (measure, properties) = (flow.mesh().measure(), flow.properties());
         let weights = self.exchange.weights();
         if weights.row(row).0.is_empty() {
             return SampleRow::default();
@@ -181,8 +186,9 @@ impl<const D: usize> GrainsOnMesh<D> {
             void_fraction: values[SAMPLED - 1],
             kernel_width: weights.width(row),
             own_share: own_share(weights, row, self.volumes[row], measure),
-            density,
-            viscosity,
+            density: properties.density,
+            viscosity: properties.viscosity,
+            relayed_force: vector(15).map(|slope| depth * self.exchange.relayed_volume(row) * slope),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The system of a step as the Krylov method sees it: x = (increments of u, increments of p), all rows in N.
 
-use super::exchange::{Exchange, Part};
+use super::exchange::Part;
 use super::matrices::{Matrices, ProductScratch};
 use crate::boundary::Constraints;
 use crate::element::simplex::Vector;
@@ -10,7 +10,6 @@ use std::cell::RefCell;
 /// The product with the matrix of the free unknowns; continuity rows times `scale` (N s/m³).
 pub struct StepOperator<'a, const D: usize> {
     pub matrices: &'a Matrices<D>,
-    pub exchange: &'a Exchange<D>,
     pub constraints: &'a Constraints<D>,
     pub measure: &'a [f64],
     pub scale: f64,
@@ -34,14 +33,7 @@ impl<const D: usize> LinearOperator for StepOperator<'_, D> {
 impl<const D: usize> StepOperator<'_, D> {
     /// All rows of the linear part at (u, p), or of left less right-hand side, unscaled.
     pub fn evaluate(&self, part: Part, fields: (&[Vector<D>], &[f64]), rows: (&mut [Vector<D>], &mut [f64])) {
-        self.matrices.evaluate(
-            part,
-            self.exchange,
-            self.measure,
-            fields,
-            rows,
-            &mut self.scratch.borrow_mut(),
-        );
+        self.matrices.evaluate(part, self.measure, fields, rows, &mut self.scratch.borrow_mut());
     }
 
     /// Keeps the free rows; scales the rows of continuity and, where the fluid is enclosed, removes their sum.

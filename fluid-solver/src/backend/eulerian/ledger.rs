@@ -4,7 +4,7 @@ use super::compensated::CompensatedSum;
 use super::exchange::Exchange;
 use super::flow::{Flow, in_space};
 use super::krylov::split;
-use super::recovery::Recovered;
+use super::recovery::{Recovered, gradient_changes};
 use super::time_rule::TimeRule;
 use crate::backend::Step;
 use crate::element::simplex::{Vector, dot};
@@ -71,8 +71,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 stress.add(std::array::from_fn(|k| solids * (viscous[k] - slope[k])));
             }
         }
-        let (drag, explicit, exchanged) =
-            if exchange.is_silent() { ([0.0; D], [0.0; D], 0.0) } else { exchange.totals(&state.velocity) };
+        let (drag, explicit, exchanged) = if exchange.is_silent() {
+            ([0.0; D], [0.0; D], 0.0)
+        } else {
+            exchange.totals(&state.velocity, &gradient_changes(recovered))
+        };
         let scale = inertia.rate.scale + inertia.body.scale + boundary.scale + stress.scale + exchanged;
 
         let impulse = |force: Vector<D>| in_space(&force).map(|force| force * depth * step.length);

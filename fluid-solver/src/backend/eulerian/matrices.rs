@@ -1,12 +1,12 @@
 //! The linear system of a step: matrices, right-hand sides and their product with (u, p).
 //!
 //! ```text
-//! momentum    A u − G p + Wᵀβ(W u − v*) − WᵀF                                   = f
-//! continuity  Gᵀu + L p + Rᵀ(φ − Π),   Π = M⁻¹(R p − r + T φ),  φ = drag/|N_a|   = s
+//! momentum    A u − G p + d u − g                                              = f
+//! continuity  E u + L p + Rᵀ(φ − Π),   Π = M⁻¹(R p − r + T φ),  φ = (d u − g)/|N_a|   = s
 //! ```
-//! Π is the τ₁-weighted lumped projection of y = ε(∇p − ρ(g + b)) + φ on the nodes; the last terms are (ε∇q, τ₁(y − Πy)).
+//! G is ∫ N_j ∇(ε N_i) and E its transpose, both and L with what the grains give way ([`super::compliance`]). Π is the τ₁-weighted lumped projection of y = ε(∇p − ρ(g + b)) + φ on the nodes; the last terms are (ε∇q, τ₁(y − Πy)).
 
-use super::exchange::{Exchange, Part};
+use super::exchange::{NodalDrag, Part};
 use super::incidence::for_each_node;
 use crate::element::simplex::Vector;
 use linear::{BlockCsr, Pattern, dense};
@@ -15,13 +15,13 @@ use std::sync::Arc;
 /// What couples pressure and velocity of two nodes.
 #[derive(Debug, Clone, Copy)]
 pub struct Coupling<const D: usize> {
-    /// G_ij = ∫ N_j ∇(ε N_i).
+    /// G_ij = ∫ N_j ∇(ε N_i) − ∫ r N_i ∇N_j.
     pub gradient: Vector<D>,
-    /// (Gᵀ)_ij = G_ji.
+    /// E_ij = ∫ N_i ∇(ε N_j) − ∫ e N_j ∇N_i.
     pub divergence: Vector<D>,
     /// (Rᵀ)_ij = ∫ τ₁ N_j ε ∇N_i.
     pub projection: Vector<D>,
-    /// L_ij = (ε∇N_i, τ₁ ε∇N_j).
+    /// L_ij = (ε∇N_i, τ₁ ε∇N_j) + (∇N_i, k ∇N_j).
     pub laplacian: f64,
 }
 
@@ -67,12 +67,14 @@ pub struct Matrices<const D: usize> {
     pub pattern: Arc<Pattern>,
     /// A.
     pub momentum: BlockCsr<D>,
-    /// G, Gᵀ, Rᵀ, L by slot.
+    /// G, E, Rᵀ, L by slot.
     pub coupling: Vec<Coupling<D>>,
     /// R, T by slot.
     pub recovery: Vec<Recovery<D>>,
     /// Right-hand sides by row.
     pub right: Vec<Right<D>>,
+    /// d, g.
+    pub drag: NodalDrag<D>,
 }
 
 /// Scratch of a product.
@@ -93,6 +95,7 @@ impl<const D: usize> Matrices<D> {
             coupling: vec![Coupling::ZERO; entries],
             recovery: vec![Recovery::ZERO; entries],
             right: vec![Right::ZERO; rows],
+            drag: NodalDrag::default(),
             pattern,
         }
     }
@@ -101,7 +104,6 @@ impl<const D: usize> Matrices<D> {
     pub fn evaluate(
         &self,
         part: Part,
-        exchange: &Exchange<D>,
         measure: &[f64],
         (u, p): (&[Vector<D>], &[f64]),
         (momentum, continuity): (&mut [Vector<D>], &mut [f64]),
@@ -109,12 +111,11 @@ impl<const D: usize> Matrices<D> {
     ) {
         drag.resize(u.len(), [0.0; D]);
         subscale.resize(u.len(), [0.0; D]);
-        if exchange.is_silent() {
-            drag.fill([0.0; D]);
-        } else {
-            exchange.force_on_grains(part, u, drag);
-        }
         let affine = if part == Part::Affine { 1.0 } else { 0.0 };
+        let NodalDrag { resistance, given } = &self.drag;
+        for (i, drag) in drag.iter_mut().enumerate() {
+            *drag = std::array::from_fn(|k| resistance[i] * u[i][k] - affine * given[i][k]);
+        }
 
         for_each_node(subscale, |i, subscale| {
             let right = &self.right[i];
@@ -155,7 +156,7 @@ impl<const D: usize> Matrices<D> {
         });
     }
 
-    /// Σ_j (Gᵀ)_ij · u_j: the net outflow of a row (m³/s).
+    /// Σ_j E_ij · u_j: the net outflow of a row (m³/s).
     pub fn divergence(&self, i: usize, u: &[Vector<D>]) -> f64 {
         let entries = self.pattern.row(i).iter().zip(&self.coupling[self.pattern.slots(i)]);
         entries.map(|(&j, entry)| (0..D).map(|k| entry.divergence[k] * u[j as usize][k]).sum::<f64>()).sum()

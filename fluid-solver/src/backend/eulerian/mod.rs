@@ -6,6 +6,7 @@ mod balance;
 mod case;
 mod checkpoint;
 mod compensated;
+mod compliance;
 mod exchange;
 mod fault;
 mod flow;

@@ -1,6 +1,6 @@
 //! Approximate inverse of the system of a step.
 
-use super::exchange::Exchange;
+use super::compliance::Compliance;
 use super::incidence::for_each_node;
 use super::krylov::{StepOperator, remove_sum, split, split_mut};
 use super::matrices::Matrices;
@@ -28,6 +28,8 @@ pub struct Resistances<'a> {
     pub void_fraction: &'a [f64],
     /// β per volume at the nodes (kg/(m³ s)).
     pub drag: &'a [f64],
+    /// How the grains give way, at the nodes; empty if no grain acts.
+    pub compliance: &'a [Compliance],
 }
 
 impl Resistances<'_> {
@@ -36,9 +38,14 @@ impl Resistances<'_> {
         self.rate * self.density * self.void_fraction[node] + self.drag[node]
     }
 
-    /// κ = ε²/(a₀ρε + β) at the nodes (m³ s/kg).
+    /// κ = (ε + r)(ε + e)/(a₀ρε + β) + k at the nodes (m³ s/kg).
     pub fn mobility(&self) -> Vec<f64> {
-        self.void_fraction.iter().enumerate().map(|(node, void)| void * void / self.at(node)).collect()
+        let mobility = |(node, void): (usize, &f64)| {
+            let Compliance { relayed, entrained, pressed } =
+                self.compliance.get(node).copied().unwrap_or_default();
+            (void + relayed) * (void + entrained) / self.at(node) + pressed
+        };
+        self.void_fraction.iter().enumerate().map(mobility).collect()
     }
 }
 
@@ -58,7 +65,6 @@ pub struct Preconditioning<const D: usize> {
     inertia: Vec<f64>,
     /// (4/3) μ/(ε_a|N_a|).
     viscous: Vec<f64>,
-    drag_diagonal: Vec<f64>,
     volumes: Vec<f64>,
     forces: Vec<Vector<D>>,
 }
@@ -74,7 +80,6 @@ impl<const D: usize> Preconditioning<D> {
             is_viscous: false,
             inertia: vec![0.0; nodes],
             viscous: vec![0.0; nodes],
-            drag_diagonal: vec![0.0; nodes],
             volumes: vec![0.0; nodes],
             forces: vec![[0.0; D]; nodes],
         }
@@ -93,15 +98,9 @@ impl<const D: usize> Preconditioning<D> {
         &mut self,
         mesh: &Mesh<D, N>,
         matrices: &Matrices<D>,
-        exchange: &Exchange<D>,
         constraints: &Constraints<D>,
         resistance: &Resistances<'_>,
     ) -> Result<(), linear::Error> {
-        if exchange.is_silent() {
-            self.drag_diagonal.fill(0.0);
-        } else {
-            exchange.diagonal(&mut self.drag_diagonal);
-        }
         for (i, &slot) in matrices.pattern.diagonal_slots()?.iter().enumerate() {
             let measure = mesh.measure()[i];
             let block = &matrices.momentum.blocks()[slot as usize];
@@ -112,9 +111,9 @@ impl<const D: usize> Preconditioning<D> {
         let inertia = resistance.rate * resistance.density * spacing(mesh).powi(2);
         self.is_viscous = resistance.viscosity > VISCOUS * inertia;
         if self.is_viscous {
-            self.multigrid.refresh(&matrices.momentum, &self.drag_diagonal, constraints)
+            self.multigrid.refresh(&matrices.momentum, &matrices.drag.resistance, constraints)
         } else {
-            self.sweep.refresh(&matrices.momentum, &self.drag_diagonal, constraints)
+            self.sweep.refresh(&matrices.momentum, &matrices.drag.resistance, constraints)
         }
     }
 }

@@ -13,6 +13,8 @@ use crate::weak_form::{gradient, share, velocity_gradient, viscous_stress};
 pub struct Recovered<const D: usize> {
     /// G_a = ∫ N_a ∇p/|N_a| (Pa/m).
     pub pressure_gradient: Vector<D>,
+    /// ∇(p − p′), p′ the pressure before the last solution (Pa/m).
+    pub gradient_change: Vector<D>,
     /// D_a = (−∫ τ∇N_a + ∮ N_a τ·n)/|N_a| (Pa/m).
     pub stress_divergence: Vector<D>,
     /// Du/Dt = D_t u + u·∇u (m/s²).
@@ -24,6 +26,7 @@ pub struct Recovered<const D: usize> {
 impl<const D: usize> Recovered<D> {
     pub(super) const ZERO: Self = Self {
         pressure_gradient: [0.0; D],
+        gradient_change: [0.0; D],
         stress_divergence: [0.0; D],
         acceleration: [0.0; D],
         vorticity: [0.0; 3],
@@ -58,11 +61,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let slope = velocity_gradient(gradients, &velocity);
             let stress = viscous_stress(self.properties.viscosity, &slope);
             let pressure = gradient(gradients, &nodes.map(|node| self.state.pressure[node as usize]));
+            let change =
+                |node: u32| self.state.pressure[node as usize] - self.work.felt_pressure[node as usize];
+            let change = gradient(gradients, &nodes.map(change));
             // ⟨N_a u⟩
             let mean: Vector<D> =
                 std::array::from_fn(|k| (0..N).map(|j| share::<N>(a, j) * velocity[j][k]).sum());
             for k in 0..D {
                 sum.pressure_gradient[k] += volume / N as f64 * pressure[k];
+                sum.gradient_change[k] += volume / N as f64 * change[k];
                 for m in 0..D {
                     sum.stress_divergence[k] -= volume * stress[k][m] * gradients[a][m];
                     sum.acceleration[k] += volume * slope[k][m] * mean[m];
@@ -77,6 +84,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let rate = &self.state.acceleration[node];
         Recovered {
             pressure_gradient: sum.pressure_gradient.map(|value| value / measure),
+            gradient_change: sum.gradient_change.map(|value| value / measure),
             stress_divergence: sum.stress_divergence.map(|value| value / measure),
             acceleration: std::array::from_fn(|k| rate[k] + sum.acceleration[k] / measure),
             vorticity: sum.vorticity.map(|value| value / measure),
@@ -88,6 +96,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let velocity = self.mesh.cell_nodes(cell).map(|node| self.state.velocity[node as usize]);
         viscous_stress(self.properties.viscosity, &velocity_gradient(&self.mesh.gradients()[cell], &velocity))
     }
+}
+
+/// ∇(p − p′) at the nodes (Pa/m).
+pub fn gradient_changes<const D: usize>(recovered: &[Recovered<D>]) -> Vec<Vector<D>> {
+    recovered.iter().map(|recovered| recovered.gradient_change).collect()
 }
 
 /// ∇×u from (∇u)_km = ∂u_k/∂x_m; along z in 2D.

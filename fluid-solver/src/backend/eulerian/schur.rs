@@ -12,7 +12,7 @@ const STALE: f64 = 0.05;
 /// Up to so many nodes the Laplacian is factored, above it has a multigrid cycle.
 const DIRECT: [usize; 2] = [20_000, 3_000];
 
-/// S⁻¹ ≈ (4/3) μ (ε M_p)⁻¹ + (−∇·κ∇)⁻¹, κ = ε²/(a₀ρε + β) (m³ s/kg).
+/// S⁻¹ ≈ (4/3) μ (ε M_p)⁻¹ + (−∇·κ∇)⁻¹, κ = (ε + r)(ε + e)/(a₀ρε + β) + k (m³ s/kg).
 ///
 /// On an outlet, where the pressure is stated weakly, G 1 = −∮ε N n ≠ 0 and the Laplacian gets G D⁻¹Gᵀ of the constants,
 /// κ_a |∮N_a n|²/|N_a|, on its diagonal. 4/3: the viscosity of a gradient field.

@@ -2,6 +2,7 @@
 
 use super::assembly::{AssemblyScratch, Ingredients};
 use super::balance::balance_momentum;
+use super::compliance::{Compliance, Given};
 use super::exchange::{Exchange, Part};
 use super::flow::Flow;
 use super::krylov::{StepOperator, split, split_mut};
@@ -25,6 +26,10 @@ const MOST_ITERATIONS: usize = 600;
 /// The residual cannot fall below this share of the terms it is made of.
 const ROUND_OFF: f64 = 4e-15;
 
+/// Bound of the grains' k in parts of the fluid's own ε²/(a₀ρε + β): pressure on wavelengths that no grain samples follows
+/// with k/(k + own) per solution. Met only by grains lighter than the fluid.
+const MOST_PRESSED: f64 = 4.0;
+
 /// Scratch of a step, and what its solution leaves for the ledger.
 pub struct Workspace<const D: usize> {
     /// The system.
@@ -39,6 +44,10 @@ pub struct Workspace<const D: usize> {
     pub rule: TimeRule,
     /// The residual that the step began with, negative.
     pub right: Vec<f64>,
+    /// u′ and p′: what the grains have felt.
+    pub felt_velocity: Vec<Vector<D>>,
+    pub felt_pressure: Vec<f64>,
+    compliance: Vec<Compliance>,
     assembly: AssemblyScratch<D>,
     krylov: FlexibleGmres,
     drag_density: Vec<f64>,
@@ -59,6 +68,9 @@ impl<const D: usize> Workspace<D> {
             rows: vec![0.0; unknowns],
             rule: TimeRule::new(1.0, None),
             right: vec![0.0; unknowns],
+            felt_velocity: vec![[0.0; D]; nodes],
+            felt_pressure: vec![0.0; nodes],
+            compliance: Vec::new(),
             assembly: AssemblyScratch::default(),
             krylov: FlexibleGmres::new(unknowns, restart),
             drag_density: vec![0.0; nodes],
@@ -83,18 +95,20 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let rule = TimeRule::new(step.length, self.state.previous_step);
         self.work.rule = rule;
         self.extrapolate(rule);
-        match iterate {
-            Some((velocity, pressure)) => {
-                self.state.velocity.copy_from_slice(velocity);
-                self.state.pressure.copy_from_slice(pressure);
-            }
-            None => self.state.velocity.copy_from_slice(&self.work.convecting),
+        if let Some((velocity, pressure)) = iterate {
+            self.state.velocity.copy_from_slice(velocity);
+            self.state.pressure.copy_from_slice(pressure);
+        }
+        self.work.felt_velocity.copy_from_slice(&self.state.velocity);
+        self.work.felt_pressure.copy_from_slice(&self.state.pressure);
+        if iterate.is_none() {
+            self.state.velocity.copy_from_slice(&self.work.convecting);
         }
         let State { velocity, void_fraction, .. } = &mut self.state;
         self.constraints.prescribe(step.end(), void_fraction, velocity);
         self.assemble(rule, step, exchange);
-        self.precondition(rule, exchange).map_err(|fault| self.fault(fault, step))?;
-        let iterations = self.improve(rule, step, exchange)?;
+        self.precondition(rule).map_err(|fault| self.fault(fault, step))?;
+        let iterations = self.improve(rule, step)?;
         self.check_finite(step)?;
         let state = &mut self.state;
         for (i, rate) in state.acceleration.iter_mut().enumerate() {
@@ -114,14 +128,18 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     fn assemble(&mut self, rule: TimeRule, step: Step, exchange: &Exchange<D>) {
         let work = &mut self.work;
-        if exchange.is_silent() {
-            work.drag_density.fill(0.0);
-        } else {
-            exchange.lumped(&mut work.drag_density);
-            work.drag_density
-                .iter_mut()
-                .zip(self.mesh.measure())
-                .for_each(|(drag, measure)| *drag /= measure);
+        let instant = (rule.new, step.length);
+        let (measure, drag) = (self.mesh.measure(), &mut work.matrices.drag);
+        exchange.lump(measure, instant, drag, &mut work.compliance);
+        for ((density, resistance), measure) in
+            work.drag_density.iter_mut().zip(&drag.resistance).zip(measure)
+        {
+            *density = resistance / measure;
+        }
+        for (node, compliance) in work.compliance.iter_mut().enumerate() {
+            let void = self.state.void_fraction[node];
+            let resistance = rule.new * self.properties.density * void + work.drag_density[node];
+            compliance.pressed = compliance.pressed.min(MOST_PRESSED * void * void / resistance);
         }
         let ingredients = Ingredients {
             mesh: &self.mesh,
@@ -132,6 +150,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             acceleration: &self.acceleration,
             convecting: &work.convecting,
             drag: &work.drag_density,
+            given: Given {
+                compliance: &work.compliance,
+                velocity: &work.felt_velocity,
+                pressure: &work.felt_pressure,
+            },
             rule,
             step: step.length,
             state: &self.state,
@@ -139,22 +162,23 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         ingredients.assemble(&mut work.assembly, &mut work.matrices);
     }
 
-    fn precondition(&mut self, rule: TimeRule, exchange: &Exchange<D>) -> Result<(), linear::Error> {
-        let Workspace { matrices, preconditioning, drag_density, .. } = &mut self.work;
+    fn precondition(&mut self, rule: TimeRule) -> Result<(), linear::Error> {
+        let Workspace { matrices, preconditioning, drag_density, compliance, .. } = &mut self.work;
         let resistance = Resistances {
             rate: rule.new,
             density: self.properties.density,
             viscosity: self.properties.viscosity,
             void_fraction: &self.state.void_fraction,
             drag: drag_density,
+            compliance,
         };
-        preconditioning.refresh(&self.mesh, matrices, exchange, &self.constraints, &resistance)?;
+        preconditioning.refresh(&self.mesh, matrices, &self.constraints, &resistance)?;
         let mobility = resistance.mobility();
         preconditioning.schur.refresh(&self.mesh, &self.incidence, &self.outlets, &mobility)
     }
 
     /// Adds to (u, p) what makes the residual small, then the constant that makes its sum vanish.
-    fn improve(&mut self, rule: TimeRule, step: Step, exchange: &Exchange<D>) -> Result<u64, FluidError> {
+    fn improve(&mut self, rule: TimeRule, step: Step) -> Result<u64, FluidError> {
         let measure = self.mesh.measure();
         let drag = vector::dot(&self.work.drag_density, measure) / vector::sum(measure);
         let resistance = rule.new * self.properties.density + drag;
@@ -164,7 +188,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             &mut self.work;
         let operator = StepOperator {
             matrices,
-            exchange,
             constraints: &self.constraints,
             measure,
             scale: resistance * spacing,

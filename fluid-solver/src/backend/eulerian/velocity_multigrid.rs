@@ -6,7 +6,7 @@ use crate::element::simplex::Vector;
 use linear::{Amg, AmgOptions, BlockCsr, Csr, Pattern, Preconditioner};
 use std::sync::Arc;
 
-/// A V-cycle for each component on the scalar part of A: the symmetric part of tr(A_ij)/D, with the drag's diagonal.
+/// A V-cycle for each component on the scalar part of A: the symmetric part of tr(A_ij)/D, with the drag d.
 ///
 /// Nodes whose velocity is prescribed stand alone; at slip walls the result is projected.
 pub struct VelocityMultigrid {

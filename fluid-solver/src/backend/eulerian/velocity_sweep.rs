@@ -1,4 +1,4 @@
-//! Gauss–Seidel sweeps for the velocity block A + WᵀβW.
+//! Gauss–Seidel sweeps for the velocity block A + d.
 
 use super::incidence::ROWS;
 use crate::boundary::Constraints;
@@ -9,14 +9,14 @@ use rayon::prelude::*;
 
 /// One forward and one backward block Gauss–Seidel sweep, each chunk of rows on its own.
 ///
-/// The drag enters by its diagonal. Constrained components stay zero.
+/// Constrained components stay zero.
 #[derive(Debug, Default)]
 pub struct VelocitySweep<const D: usize> {
     inverse: Vec<Block<D>>,
 }
 
 impl<const D: usize> VelocitySweep<D> {
-    /// Inverts the diagonal blocks P(A_ii + β_i)P on the free directions.
+    /// Inverts the diagonal blocks P(A_ii + d_i)P on the free directions.
     ///
     /// # Errors
     /// A diagonal block that is singular or not finite.
@@ -44,7 +44,7 @@ impl<const D: usize> VelocitySweep<D> {
         Ok(())
     }
 
-    /// z ← approximate (A + WᵀβW)⁻¹ r.
+    /// z ← approximate (A + d)⁻¹ r.
     pub fn apply(&self, a: &BlockCsr<D>, r: &[Vector<D>], z: &mut [Vector<D>]) {
         z.par_chunks_mut(ROWS).enumerate().for_each(|(chunk, z)| {
             let first = chunk * ROWS;
