@@ -57,7 +57,7 @@ pub struct Clock {
 pub struct Intervals {
     /// Of the series.
     pub series: f64,
-    /// Of the frames.
+    /// Of the frames; none: one at the end.
     pub frames: Option<f64>,
     /// Of the restart points.
     pub restart: Option<f64>,
@@ -140,9 +140,11 @@ impl Clock {
         self.time = time;
         self.window += 1;
         let (slack, end) = (self.slack(), self.end);
+        // Without an interval the end is the only frame.
+        let frame = self.frames.take(time, slack, end) || self.frames.interval.is_none() && self.is_over();
         Outputs {
             series: self.series.take(time, slack, end),
-            frame: self.frames.take(time, slack, end).then_some(self.frames.count),
+            frame: frame.then_some(self.frames.count),
             restart: self.restart.take(time, slack, end),
         }
     }
@@ -174,6 +176,19 @@ mod tests {
         assert_eq!(rows[2], 3.0 * 0.1);
         assert_eq!(frames, [(1, 0.25), (2, 0.5), (3, 0.75), (4, 1.0)]);
         assert_eq!(clock.time, 1.0);
+    }
+
+    #[test]
+    fn without_frames_in_time_the_end_is_the_only_one() {
+        let intervals = Intervals { series: 0.1, frames: None, restart: None };
+        let mut clock = Clock::new(1.0, 0.03, 1e-4, intervals);
+        let mut frames = Vec::new();
+        while !clock.is_over() {
+            let step = clock.offer(f64::INFINITY).unwrap();
+            let outputs = clock.close(clock.after(step));
+            frames.extend(outputs.frame.map(|_| clock.time));
+        }
+        assert_eq!(frames, [1.0]);
     }
 
     #[test]

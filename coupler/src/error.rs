@@ -158,9 +158,8 @@ impl CouplerError {
             CouplerError::Ledger { .. } => ExitCode::Ledger,
             CouplerError::StepTooSmall { .. } => ExitCode::TimeStepTooSmall,
             CouplerError::Interrupted { .. } => ExitCode::Interrupted,
-            CouplerError::CommandLine { .. } => ExitCode::CommandLine,
-            CouplerError::NotEmpty { .. }
-            | CouplerError::Output(_)
+            CouplerError::CommandLine { .. } | CouplerError::NotEmpty { .. } => ExitCode::CommandLine,
+            CouplerError::Output(_)
             | CouplerError::Report(_)
             | CouplerError::ExecutableMissing { .. }
             | CouplerError::NotStarted { .. }

@@ -15,7 +15,7 @@ use interface::InterfaceError;
 use interface::assignment::Assignment;
 use interface::message::{Ready, Usage};
 use interface::participant::Hold;
-use interface::run::{RunId, Who, free_shared_memory, sweep};
+use interface::run::{RunId, Who, check_folder, free_shared_memory, sweep};
 use interface::transport::{Deadlines, shared_memory};
 use interface::usage::own_usage;
 use serde::{Deserialize, Serialize};
@@ -215,9 +215,9 @@ fn simulate(
 /// What keeps the case from running.
 pub fn survey(case: &Case, request: &Request) -> Result<Vec<String>, CouplerError> {
     sweep();
-    let out = std::env::temp_dir().join(format!("silt-check-{}", RunId::new()));
+    let out = check_folder()?;
     let result = survey_into(case, request, &out);
-    // What cannot be removed from the temporary folder harms nothing.
+    // What cannot be removed now is swept later.
     let _ = fs::remove_dir_all(&out);
     result
 }

@@ -259,8 +259,6 @@ fn coupling_of(
     let laws = Laws {
         drag: drag_of(coupling.drag),
         added_mass: coupling.added_mass,
-        pressure_gradient_force: coupling.pressure_gradient_force,
-        viscous_stress_force: coupling.viscous_stress_force,
         // A field that does not feel the grains is not disturbed by them.
         self_disturbance: coupling.self_disturbance && two_way && !imposed,
     };
@@ -296,5 +294,6 @@ fn drag_of(drag: document::Drag) -> Drag {
         document::Drag::Ergun => Drag::Ergun,
         document::Drag::Gidaspow => Drag::Gidaspow,
         document::Drag::DiFelice => Drag::DiFelice,
+        document::Drag::DiFeliceCylinder => Drag::DiFeliceCylinder,
     }
 }

@@ -10,6 +10,7 @@ use interface::message::Failure;
 use thiserror::Error;
 
 use crate::fault::Fault;
+use crate::flaw::Flaw;
 
 /// What may go wrong.
 #[derive(Debug, Error)]
@@ -127,12 +128,12 @@ pub enum DemError {
         source: std::io::Error,
     },
     /// A file holds something that cannot be used.
-    #[error("{path}: {what}")]
+    #[error("{path}{flaw}")]
     BadFile {
         /// The file.
         path: PathBuf,
         /// Where in it, what is wrong and what is allowed.
-        what: String,
+        flaw: Flaw,
     },
     /// The case is refused.
     #[error(transparent)]

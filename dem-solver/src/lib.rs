@@ -7,6 +7,7 @@ mod critical_time_step;
 mod domain;
 mod error;
 mod fault;
+mod flaw;
 mod grains;
 pub mod insertion;
 mod integrate;
@@ -31,6 +32,7 @@ pub use critical_time_step::{Binding, CriticalStep, MOST_SUBSTEPS, Substep, crit
 pub use domain::{Domain, Image};
 pub use error::DemError;
 pub use fault::Fault;
+pub use flaw::Flaw;
 pub use grains::{Grain, Grains, Motion, Place, inertia, volume};
 pub use ledger::{Ledger, momentum};
 pub use material::{Material, Materials, PairMaterial};

@@ -25,23 +25,25 @@ const TITLES: [&str; 11] = [
 pub struct Record {
     out: PathBuf,
     format: Format,
+    /// Whether the initial state is a frame.
+    films_start: bool,
     series: Option<SeriesWriter>,
     frames: Option<Collection>,
 }
 
 impl Record {
     /// Nothing is written before `start` or `resume`.
-    pub fn new(out: &Path, compress: bool) -> Record {
+    pub fn new(out: &Path, compress: bool, films_start: bool) -> Record {
         let compression = if compress { Compression::Lz4 } else { Compression::None };
         let format = Format { precision: Precision::Single, compression };
-        Record { out: out.to_path_buf(), format, series: None, frames: None }
+        Record { out: out.to_path_buf(), format, films_start, series: None, frames: None }
     }
 
     fn paths(&self) -> (PathBuf, PathBuf) {
         (self.out.join("series/grains.csv"), self.out.join("frames/grains.pvd"))
     }
 
-    /// Starts the files with the initial state.
+    /// Starts the series, and the frames if they are wanted in time, with the initial state.
     ///
     /// # Errors
     /// The disk's.
@@ -50,7 +52,7 @@ impl Record {
         self.series = Some(SeriesWriter::create(&series, &TITLES)?);
         self.frames = Some(Collection::create(&frames)?);
         self.row(world)?;
-        self.frame(world, 0)
+        if self.films_start { self.frame(world, 0) } else { Ok(()) }
     }
 
     /// Goes on after `time`; later rows and frames are cut.

@@ -63,6 +63,25 @@ pub enum FluidError {
         /// When \[s\].
         time: f64,
     },
+    /// A stated field that is not finite at a grain.
+    #[error(
+        "{key}: \"{expression}\" is {value} near grain {grain}, at ({}, {}, {}) m, t = {time} s; allowed: finite numbers; \
+         state a field that is finite wherever grains go", .position[0], .position[1], .position[2]
+    )]
+    FieldNotFinite {
+        /// The key of the expression.
+        key: String,
+        /// The expression.
+        expression: String,
+        /// The grain's identity.
+        grain: u64,
+        /// Where \[m\].
+        position: [f64; 3],
+        /// When \[s\].
+        time: f64,
+        /// What it is.
+        value: f64,
+    },
     /// The grains leave too little room for the fluid.
     #[error(
         "fluid: the void fraction at node {node} {position:?} is {value:.4}, below {floor}; \
@@ -109,7 +128,7 @@ impl FluidError {
                 .ok()
                 .and_then(|code| ExitCode::try_from(code).ok())
                 .unwrap_or(ExitCode::Defect),
-            FluidError::NonFinite { .. } => ExitCode::NonFinite,
+            FluidError::NonFinite { .. } | FluidError::FieldNotFinite { .. } => ExitCode::NonFinite,
             FluidError::VoidFraction { .. } => ExitCode::CaseRefused,
             FluidError::NotConverged { .. } => ExitCode::NotConverged,
         }

@@ -44,7 +44,7 @@ fn set_up(part: &Assignment, frames: Frames) -> Result<FluidParticipant, FluidEr
     let case = load(part)?;
     let document = &case.document;
     let probes = document.probe.iter().map(|probe| (probe.name.clone(), probe.at.to_array())).collect();
-    let record = Record::new(&part.out, probes, document.output.compress);
+    let record = Record::new(&part.out, probes, document.output.compress, document.output.films_start());
     let identity = (case.hash.clone(), Plan::of(document).hash());
     let coupled = document.grains.is_some();
     let one_way = document.coupling.as_ref().is_some_and(|coupling| coupling.scheme == Scheme::OneWay);

@@ -11,6 +11,8 @@ pub struct Record {
     out: PathBuf,
     probes: Vec<(String, [f64; 3])>,
     compress: bool,
+    /// Whether the initial state is a frame.
+    films_start: bool,
     fluid: Option<SeriesWriter>,
     probe: Option<SeriesWriter>,
     frames: Option<Collection>,
@@ -18,8 +20,16 @@ pub struct Record {
 
 impl Record {
     /// Nothing is written before `start` or `resume`.
-    pub fn new(out: &Path, probes: Vec<(String, [f64; 3])>, compress: bool) -> Record {
-        Record { out: out.to_path_buf(), probes, compress, fluid: None, probe: None, frames: None }
+    pub fn new(out: &Path, probes: Vec<(String, [f64; 3])>, compress: bool, films_start: bool) -> Record {
+        Record {
+            out: out.to_path_buf(),
+            probes,
+            compress,
+            films_start,
+            fluid: None,
+            probe: None,
+            frames: None,
+        }
     }
 
     fn series_path(&self, name: &str) -> PathBuf {
@@ -40,7 +50,7 @@ impl Record {
         titles
     }
 
-    /// Starts the files with the initial state.
+    /// Starts the series, and the frames if they are wanted in time, with the initial state.
     ///
     /// # Errors
     /// The disk's.
@@ -60,7 +70,7 @@ impl Record {
             self.frames = Some(Collection::create(&self.index_path())?);
         }
         self.series(0.0, backend)?;
-        self.frame(0.0, 0, backend)
+        if self.films_start { self.frame(0.0, 0, backend) } else { Ok(()) }
     }
 
     /// Goes on after `time`; later rows and frames are cut.

@@ -1,9 +1,10 @@
 //! The command line.
 
-use crate::ending::coupler;
+use crate::ending::{coupler, ending};
 use crate::refusal::run;
 use crate::scene::Scene;
-use crate::support::Folder;
+use crate::support::{DEM, FLUID, Folder};
+use std::process::Command;
 
 #[test]
 fn an_unknown_subcommand_is_refused_with_all_known() {
@@ -24,6 +25,21 @@ fn an_unknown_or_incomplete_flag_is_refused() {
         (&["run", "case", "--threads", "many"], &["'many'", "--threads", "invalid digit"]),
     ] {
         coupler(&folder, arguments).assert_line(2, parts);
+    }
+}
+
+#[test]
+fn the_solvers_refuse_a_command_line_in_one_line_too() {
+    let folder = Folder::new();
+    for solver in [DEM, FLUID] {
+        for (argument, parts) in [
+            ("rnu", ["unrecognized subcommand 'rnu'", "allowed: run; see --help"]),
+            ("--ot", ["unexpected argument '--ot'", "see --help"]),
+        ] {
+            let mut command = Command::new(solver);
+            command.arg(argument);
+            ending(&folder, command).assert_line(2, &parts);
+        }
     }
 }
 
@@ -84,7 +100,7 @@ fn a_wrong_change_of_a_key_is_refused() {
 fn an_output_folder_that_is_not_empty_is_refused_and_left_alone() {
     let scene = Scene::coupled();
     let note = scene.folder.write("out/note.txt", "mine");
-    run(&scene, &[]).assert_line(5, &["out: the folder is not empty", "name another or remove it"]);
+    run(&scene, &[]).assert_line(2, &["out: the folder is not empty", "name another or remove it"]);
     assert_eq!(std::fs::read_dir(scene.folder.join("out")).unwrap().count(), 1);
     assert_eq!(std::fs::read_to_string(note).unwrap(), "mine");
 }

@@ -75,23 +75,22 @@ pub fn children(folder: &Path) -> Vec<String> {
     lines.collect()
 }
 
-/// Files in shared memory and among the temporary ones that belong to the runs of this coupler: the last 16 bits of a
-/// run's identity are its process id's.
+/// Files in shared memory and in the folder of runs that belong to this coupler: the last 16 bits of a run's identity are
+/// its process id's, and the folder of a check carries it.
 pub fn files_of_runs(coupler: u32) -> Vec<PathBuf> {
     let inside = |folder: &Path| -> Vec<PathBuf> {
         fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()).collect()
     };
-    let temporary = std::env::temp_dir();
-    let roots = inside(&temporary).into_iter().filter(|path| name(path).starts_with("silt-"));
-    let files = inside(Path::new("/dev/shm")).into_iter().chain(inside(&temporary));
+    let roots = inside(Path::new("/tmp")).into_iter().filter(|path| name(path).starts_with("silt-"));
+    let files = inside(Path::new("/dev/shm"));
     let is_its = |path: &PathBuf| {
         let name = name(path);
-        let run = ["silt_", "silt-check-", ""]
-            .iter()
-            .find_map(|lead| u64::from_str_radix(name.strip_prefix(lead)?.get(..16)?, 16).ok());
-        run.is_some_and(|run| run & 0xffff == u64::from(coupler & 0xffff))
+        let run =
+            u64::from_str_radix(name.strip_prefix("silt_").unwrap_or(&name).get(..16).unwrap_or(""), 16);
+        run.is_ok_and(|run| run & 0xffff == u64::from(coupler & 0xffff))
+            || name.starts_with(&format!("check-{coupler}-"))
     };
-    files.chain(roots.flat_map(|root| inside(&root))).filter(is_its).collect()
+    files.into_iter().chain(roots.flat_map(|root| inside(&root))).filter(is_its).collect()
 }
 
 fn name(path: &Path) -> String {
@@ -112,9 +111,25 @@ mod tests {
         assert_eq!(children(&scene.folder.0).len(), 2);
         let files = files_of_runs(live.child.id());
         assert!(files.iter().any(|path| path.starts_with("/dev/shm")), "{files:?}");
-        assert!(files.iter().any(|path| path.starts_with(std::env::temp_dir())), "{files:?}");
+        assert!(files.iter().any(|path| path.starts_with("/tmp")), "{files:?}");
         crate::support::signal(live.child.id(), "KILL");
         live.exit_code(DEADLINE);
         crate::support::wait_until("the solvers end", DEADLINE, || children(&scene.folder.0).is_empty());
+    }
+
+    #[test]
+    fn what_a_killed_check_leaves_is_swept() {
+        let scene = Scene::coupled();
+        let mut check =
+            Command::new(COUPLER).arg("check").arg(scene.path()).stdout(Stdio::null()).spawn().unwrap();
+        let pid = check.id();
+        let left = || files_of_runs(pid).into_iter().any(|path| name(&path).starts_with("check-"));
+        crate::support::wait_until("the check writes", DEADLINE, left);
+        crate::support::signal(pid, "KILL");
+        assert!(left(), "there is something to sweep");
+        check.wait().unwrap();
+        crate::support::wait_until("the solvers end", DEADLINE, || children(&scene.folder.0).is_empty());
+        assert_eq!(coupler(&scene.folder, &["clean"]).code, 0);
+        assert!(!left(), "it is swept");
     }
 }

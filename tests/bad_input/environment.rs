@@ -19,6 +19,20 @@ fn an_output_folder_that_cannot_be_made_is_refused() {
     assert_eq!(fs::read_to_string(scene.folder.join("file")).unwrap(), "");
 }
 
+#[test]
+fn a_long_path_of_temporary_files_harms_nothing() {
+    let scene = Scene::coupled();
+    let long = scene.folder.join(&"t".repeat(150));
+    fs::create_dir(&long).unwrap();
+    for arguments in [&["check", "case"][..], &["run", "case", "--out", "out"]] {
+        let mut command = Command::new(COUPLER);
+        command.args(arguments).env("TMPDIR", &long);
+        let ending = ending(&scene.folder, command);
+        assert_eq!((ending.code, ending.words.as_str()), (0, ""));
+    }
+    assert_eq!(fs::read_dir(long).unwrap().count(), 0);
+}
+
 /// `coupler` with a /dev/shm of its own of this size; what is left there afterwards is written to the file `left`.
 /// None where the kernel does not permit a private mount.
 fn with_shared_memory(scene: &Scene, size: &str, arguments: &str) -> Option<Ending> {

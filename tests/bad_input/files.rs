@@ -59,7 +59,7 @@ fn a_coordinate_that_is_no_number_is_refused_with_its_line() {
         &scene,
         "grains.csv",
         "insertion[1].file.path",
-        &["grains.csv: line 3, y[m]: \"nan\" is not a finite number", "repair the file"],
+        &["grains.csv:3: y[m]: \"nan\" is not a finite number", "repair the file"],
     );
 }
 
@@ -69,7 +69,7 @@ fn an_empty_list_of_grains_is_refused() {
         [("", "unknown column"), ("x[m],y[m],z[m]\n", "holds no grain; it needs at least one row")]
     {
         let scene = listed().with_file("grains.csv", text);
-        assert_refused(&scene, "grains.csv", "insertion[1].file.path", &["grains.csv: ", part]);
+        assert_refused(&scene, "grains.csv", "insertion[1].file.path", &["grains.csv", part]);
     }
 }
 
@@ -115,6 +115,6 @@ fn a_mesh_that_is_no_mesh_is_refused() {
         [("", "$MeshFormat"), ("solid", "$MeshFormat"), (&whole[..whole.len() - 40], "expected")]
     {
         let scene = meshed().with_file("cube.msh", text);
-        assert_refused(&scene, "cube.msh", "fluid.mesh.gmsh.path", &["cube.msh: line ", part]);
+        assert_refused(&scene, "cube.msh", "fluid.mesh.gmsh.path", &["cube.msh:", part]);
     }
 }

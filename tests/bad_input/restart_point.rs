@@ -1,9 +1,10 @@
-//! Restart points that were damaged after they were written.
+//! Restart points that were damaged after they were written, or written by another program.
 
 use crate::ending::{Ending, coupler};
 use crate::refusal::run;
 use crate::scene::Scene;
 use crate::support::assert_same_results;
+use case_io::checkpoint::RestartPoint;
 use std::fs;
 use std::path::PathBuf;
 
@@ -62,4 +63,19 @@ fn with_no_whole_point_left_it_says_what_is_wrong_with_each() {
             "start again with `coupler run`",
         ],
     );
+}
+
+#[test]
+fn a_point_that_another_version_has_written_is_refused() {
+    let scene = Scene::coupled();
+    let [_, newer] = stopped_run(&scene);
+    let parts = ["dem-solver", "fluid-solver", "coupler"];
+    let foreign = RestartPoint::begin(&scene.folder.join("out/restart"), 1000).unwrap();
+    for part in parts {
+        fs::copy(newer.join(part), foreign.part(part)).unwrap();
+    }
+    foreign.commit(0.02, 0.002, "of another time", "0.0.7", &parts).unwrap();
+    let own = format!("this program is version {}", env!("CARGO_PKG_VERSION"));
+    let found = ["out/restart/window-1000: ", "written by version 0.0.7", &own, "resume with version 0.0.7"];
+    resume(&scene).assert_line(2, &found);
 }

@@ -4,6 +4,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+use case_io::output::vtk::Collection;
 use std::time::Duration;
 use support::{Folder, Live, case, signal, wait_until};
 
@@ -132,6 +133,19 @@ fn an_interrupt_ends_the_run_cleanly_at_the_next_commit() {
     assert_eq!(live.exit_code(Duration::from_secs(5)), Some(130));
     assert_nothing_left(&live);
     assert!(live.out.join("report.html").exists(), "an interrupted run has its report");
+}
+
+#[test]
+fn a_run_without_frames_in_time_shows_its_end() {
+    let folder = Folder::new();
+    let case = folder.write("case/case.toml", &one_run());
+    let out = folder.join("out");
+    let output = support::run(&case, &out, &["time.end=\"20 ms\"", "output.frames=\"none\""], &[]);
+    assert!(output.status.success(), "{}", support::stderr(&output));
+    let frames = Collection::open(&out.join("frames/grains.pvd")).unwrap();
+    assert_eq!(frames.entries().iter().map(|entry| entry.time).collect::<Vec<_>>(), [0.02]);
+    assert!(out.join("picture.png").exists());
+    assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains("The scene at t = 0.02 s"));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 mod support;
 
 use std::time::Duration;
-use support::{Folder, Live, assert_same_results, case, coupler, run, signal, stderr};
+use support::{Folder, Live, assert_same_results, case, coupler, run, signal, stderr, wait_until};
 
 fn one_run() -> String {
     let text = std::fs::read_to_string(case("settling-ode").join("case.toml")).unwrap();
@@ -57,6 +57,18 @@ fn a_coupled_run_with_contacts_resumes_to_the_same_bytes() {
     let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
     assert_eq!(resumed.status.code(), Some(4), "{}", stderr(&resumed));
     assert_same_results(&folder.join("through"), &folder.join("killed"));
+
+    let mut live = Live::start(&case, &folder.join("stopped"), &changes, &[]);
+    let some_windows = || {
+        std::fs::read_to_string(live.out.join("series/ledger.csv"))
+            .is_ok_and(|rows| rows.lines().count() > 30)
+    };
+    wait_until("there is a restart point, and windows after it", Duration::from_secs(60), some_windows);
+    signal(live.child.id(), "INT");
+    assert_eq!(live.exit_code(Duration::from_secs(10)), Some(130));
+    let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
+    assert_eq!(resumed.status.code(), Some(4), "{}", stderr(&resumed));
+    assert_same_results(&folder.join("through"), &folder.join("stopped"));
 }
 
 #[test]

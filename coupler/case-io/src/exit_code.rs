@@ -14,7 +14,7 @@ pub enum ExitCode {
     Done = 0,
     /// A defect of the program.
     Defect = 1,
-    /// The command line was not understood.
+    /// The command line was not understood, or names a folder that it may not.
     CommandLine = 2,
     /// The case, the mesh or the data were refused.
     CaseRefused = 3,
@@ -66,7 +66,7 @@ impl ExitCode {
         match self {
             Self::Done => "done, all checks pass",
             Self::Defect => "defect of the program",
-            Self::CommandLine => "command line not understood",
+            Self::CommandLine => "command line not understood, or it names a folder that it may not",
             Self::CaseRefused => "case, mesh or data refused",
             Self::CheckFailed => "done, but a check failed",
             Self::Environment => {
@@ -87,7 +87,7 @@ impl ExitCode {
         match self {
             Self::Done => "read report.html",
             Self::Defect => "report it with the case and log.txt; the last restart point can be resumed",
-            Self::CommandLine => "see --help",
+            Self::CommandLine => "the message says what is allowed; see --help",
             Self::CaseRefused => {
                 "the message names file, line and key; `coupler check CASE` tries again without running"
             }

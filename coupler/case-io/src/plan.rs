@@ -59,8 +59,6 @@ parts! {
     Drag: "drag",
     SelfDisturbance: "self-disturbance correction",
     AddedMass: "added mass",
-    PressureGradientForce: "pressure-gradient force",
-    ViscousStressForce: "viscous-stress force",
     ImplicitIterations: "implicit iterations",
     Acceleration: "acceleration of the iterations",
     Frames: "frames",

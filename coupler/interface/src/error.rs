@@ -20,6 +20,16 @@ pub enum InterfaceError {
         /// The folder in question.
         path: String,
     },
+    /// The folder of the runs cannot be used.
+    #[error("{path}: {found}; allowed: a folder of user {user} alone; remove it")]
+    RunsFolder {
+        /// The folder.
+        path: String,
+        /// What is wrong with it.
+        found: String,
+        /// Whose runs they are.
+        user: u32,
+    },
     /// Too little shared memory.
     #[error(
         "shared memory: {needed} bytes are needed for the frames of {rows} grains, {free} are free in {path}; \
@@ -138,6 +148,7 @@ impl InterfaceError {
     pub fn exit_code(&self) -> i32 {
         match self {
             InterfaceError::Transport { .. }
+            | InterfaceError::RunsFolder { .. }
             | InterfaceError::NoSpace { .. }
             | InterfaceError::Difference { .. } => 5,
             InterfaceError::PeerDied { .. } => 9,

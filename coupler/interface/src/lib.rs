@@ -5,6 +5,7 @@
 //! reports as [`message`]s. [`participant::serve`] runs the state machine of a solver.
 
 pub mod assignment;
+pub mod command_line;
 pub mod error;
 pub mod frames;
 pub mod ledger;

@@ -288,7 +288,7 @@ mod tests {
         let run = RunId::new();
         let map = PulseMap::open(run, true).unwrap();
         map.table().pid[0].store(u64::from(u32::MAX), Ordering::SeqCst);
-        assert!(crate::run::sweep().contains(&run));
+        crate::run::sweep();
         assert!(!run.pulse_path().exists());
     }
 }

@@ -4,6 +4,9 @@ use crate::error::InterfaceError;
 use crate::pulse::PulseMap;
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use std::fs::{DirBuilder, Permissions};
+use std::io::ErrorKind;
+use std::os::unix::fs::{DirBuilderExt, MetadataExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -100,14 +103,68 @@ impl fmt::Display for RunId {
     }
 }
 
-fn runs_folder() -> PathBuf {
+fn user() -> u32 {
     // SAFETY: geteuid has no preconditions and cannot fail.
-    let user = unsafe { libc::geteuid() };
-    std::env::temp_dir().join(format!("silt-{user}"))
+    unsafe { libc::geteuid() }
 }
 
-/// Removes what this user's dead runs left in shared memory; returns their identities.
-pub fn sweep() -> Vec<RunId> {
+/// Folder of this user's runs and checks. Fixed whatever TMPDIR says: paths of sockets end at 108 bytes.
+fn runs_folder() -> PathBuf {
+    PathBuf::from(format!("/tmp/silt-{}", user()))
+}
+
+/// The folder of runs, made if need be.
+pub(crate) fn make_runs_folder() -> Result<PathBuf, InterfaceError> {
+    let folder = runs_folder();
+    make_private(&folder, user())?;
+    Ok(folder)
+}
+
+/// Makes a folder that only `user` can look into, or tightens the one that is there; another's is refused.
+fn make_private(folder: &Path, user: u32) -> Result<(), InterfaceError> {
+    let refused =
+        |found: String| InterfaceError::RunsFolder { path: folder.display().to_string(), found, user };
+    let failed = |error: std::io::Error| refused(error.to_string());
+    match DirBuilder::new().mode(0o700).create(folder) {
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+        made => return made.map_err(failed),
+    }
+    let found = folder.symlink_metadata().map_err(failed)?;
+    if !found.is_dir() {
+        return Err(refused("it is no folder".to_string()));
+    }
+    if found.uid() != user {
+        return Err(refused(format!("it belongs to user {}", found.uid())));
+    }
+    if found.mode() & 0o077 != 0 {
+        std::fs::set_permissions(folder, Permissions::from_mode(0o700)).map_err(failed)?;
+    }
+    Ok(())
+}
+
+/// A folder for what a check writes, of this process alone; [`sweep`] removes it when the process is gone.
+///
+/// # Errors
+/// [`InterfaceError::RunsFolder`]
+pub fn check_folder() -> Result<PathBuf, InterfaceError> {
+    let pid = std::process::id();
+    let folder = make_runs_folder()?.join(format!("check-{pid}-{}", process_start(pid).unwrap_or(0)));
+    make_private(&folder, user())?;
+    Ok(folder)
+}
+
+/// Whether the name is that of the folder of a check whose process is gone.
+fn is_dead_check(name: &str) -> bool {
+    let process = || -> Option<(u32, u64)> {
+        let (pid, start) = name.strip_prefix("check-")?.split_once('-')?;
+        Some((pid.parse().ok()?, start.parse().ok()?))
+    };
+    process().is_some_and(|(pid, start)| process_start(pid) != Some(start))
+}
+
+/// Removes what this user's dead runs and checks left in shared memory and among temporary files; returns how many
+/// they were.
+pub fn sweep() -> usize {
     let mut runs: Vec<RunId> = names_in(Path::new(MEMORY))
         .filter_map(|name| RunId::parse(name.strip_prefix("silt_")?.get(..16)?))
         .chain(names_in(&runs_folder()).filter_map(|name| RunId::parse(&name)))
@@ -118,7 +175,16 @@ pub fn sweep() -> Vec<RunId> {
     for run in &runs {
         run.remove();
     }
-    runs
+    let checks: Vec<PathBuf> = names_in(&runs_folder())
+        .filter(|name| is_dead_check(name))
+        .map(|name| runs_folder().join(name))
+        .filter(|folder| is_of_user(folder))
+        .collect();
+    for folder in &checks {
+        // Whatever another sweeper has removed already is gone as wished.
+        let _ = std::fs::remove_dir_all(folder);
+    }
+    runs.len() + checks.len()
 }
 
 fn names_in(folder: &Path) -> impl Iterator<Item = String> {
@@ -130,10 +196,11 @@ fn names_in(folder: &Path) -> impl Iterator<Item = String> {
 }
 
 fn is_own(run: RunId) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    // SAFETY: geteuid has no preconditions and cannot fail.
-    let user = unsafe { libc::geteuid() };
-    [run.pulse_path(), run.root()].iter().any(|path| path.metadata().is_ok_and(|data| data.uid() == user))
+    [run.pulse_path(), run.root()].iter().any(|path| is_of_user(path))
+}
+
+fn is_of_user(path: &Path) -> bool {
+    path.symlink_metadata().is_ok_and(|data| data.uid() == user())
 }
 
 /// Free bytes of shared memory.
@@ -190,6 +257,31 @@ mod tests {
     fn a_run_id_survives_the_command_line() {
         let run = RunId::new();
         assert_eq!(RunId::parse(&run.to_string()), Some(run));
+    }
+
+    #[test]
+    fn a_folder_of_runs_is_of_its_user_alone() {
+        let folder = std::env::temp_dir().join(format!("silt-private-{}", std::process::id()));
+        std::fs::create_dir(&folder).unwrap();
+        std::fs::set_permissions(&folder, Permissions::from_mode(0o777)).unwrap();
+        let foreign = make_private(&folder, user() + 1).unwrap_err().to_string();
+        assert!(foreign.contains(&format!(": it belongs to user {}; allowed: ", user())), "{foreign}");
+        make_private(&folder, user()).unwrap();
+        assert_eq!(folder.metadata().unwrap().mode() & 0o777, 0o700);
+        std::fs::remove_dir(&folder).unwrap();
+        std::os::unix::fs::symlink(std::env::temp_dir(), &folder).unwrap();
+        assert!(make_private(&folder, user()).is_err(), "a link may lead anywhere");
+        std::fs::remove_file(&folder).unwrap();
+    }
+
+    #[test]
+    fn the_folder_of_a_check_is_dead_when_its_process_is() {
+        let pid = std::process::id();
+        let start = process_start(pid).unwrap();
+        assert!(!is_dead_check(&format!("check-{pid}-{start}")));
+        assert!(is_dead_check(&format!("check-{pid}-{}", start + 1)), "another process has the number now");
+        assert!(is_dead_check("check-0-1"));
+        assert!(!is_dead_check("check-") && !is_dead_check("0123456789abcdef"));
     }
 
     #[test]

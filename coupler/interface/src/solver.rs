@@ -1,6 +1,7 @@
 //! The command line that both solvers share: `run` alone, `participate` for the coupler.
 
 use crate::assignment::Assignment;
+use crate::command_line::{in_one_line, is_help};
 use crate::error::InterfaceError;
 use crate::run::{Who, leave_interrupts_to_coupler};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -54,12 +55,19 @@ pub fn main(who: Who, participate: impl FnOnce(&Assignment) -> Result<(), Interf
                 }
             }
         }
-        Err(error) => {
-            // Nothing can be done where not even this can be printed.
-            let _ = error.print();
-            if error.use_stderr() { ExitCode::from(COMMAND_LINE) } else { ExitCode::SUCCESS }
-        }
+        Err(error) => refuse(&error),
     }
+}
+
+/// Help and version in full, where they are asked for or nothing is; what is wrong in one line.
+fn refuse(error: &clap::Error) -> ExitCode {
+    if is_help(error) {
+        // Nothing can be done where not even this can be printed.
+        let _ = error.print();
+    } else {
+        say(&format!("error: {}", in_one_line(error, &Arguments::command())));
+    }
+    if error.use_stderr() { ExitCode::from(COMMAND_LINE) } else { ExitCode::SUCCESS }
 }
 
 /// Runs `coupler run` with these arguments; its exit code is this program's.

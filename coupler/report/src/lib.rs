@@ -1,7 +1,7 @@
 //! Plots, pictures and the self-contained report of a run.
 //!
 //! [`report`] turns what a run has left in its directory into one `report.html` that needs nothing else: no script, no
-//! style sheet, no picture from elsewhere. [`picture_of`] draws a scene as PNG.
+//! style sheet, no picture from elsewhere. [`report_of_sweep`] lists the runs of a sweep. [`picture_of`] draws a scene as PNG.
 //!
 //! It reads `summary.json`, `series/*.csv` (`convergence.csv` and `ledger.csv` have sections of their own) and the
 //! collections `frames/*.pvd`: `.vtp` frames are grains with the fields `radius` and `velocity`, `.vtu` frames are
@@ -18,4 +18,4 @@ mod write;
 pub use error::ReportError;
 pub use picture::{Bounds, FluidMesh, FluidView, Grain, PictureOptions, Scene, picture_of};
 pub use run::scene_of;
-pub use write::report;
+pub use write::{report, report_of_sweep};

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use case_io::output::replace_file;
+use case_io::summary::Summary;
 
 use crate::page::{self, Figure};
 use crate::picture::{Bounds, FluidView, PictureOptions, picture_of};
@@ -23,6 +24,15 @@ pub fn report(directory: &Path) -> Result<(), ReportError> {
         replace_file(&directory.join("picture.png"), &[&last.png])?;
     }
     let html = page::html(&run, &figures)?;
+    Ok(replace_file(&directory.join("report.html"), &[html.as_bytes()])?)
+}
+
+/// Writes `report.html` over all runs of a sweep; each has its own report in the folder of its name beside it.
+///
+/// # Errors
+/// A report that cannot be written.
+pub fn report_of_sweep(directory: &Path, title: &str, runs: &[(String, Summary)]) -> Result<(), ReportError> {
+    let html = page::sweep_html(title, runs);
     Ok(replace_file(&directory.join("report.html"), &[html.as_bytes()])?)
 }
 

@@ -1,4 +1,4 @@
-//! `coupler clean`: sweeps what this user's dead runs left in shared memory.
+//! `coupler clean`: sweeps what this user's dead runs and checks left in shared memory and among temporary files.
 
 use super::say;
 use crate::error::CouplerError;
@@ -6,8 +6,7 @@ use case_io::exit_code::ExitCode;
 use interface::run::sweep;
 
 pub(super) fn clean() -> Result<ExitCode, CouplerError> {
-    let swept = sweep();
-    match swept.len() {
+    match sweep() {
         0 => say("nothing to sweep"),
         count => say(&format!("swept {count} dead runs")),
     }

@@ -10,8 +10,8 @@ mod run;
 
 use crate::error::CouplerError;
 use case_io::exit_code::ExitCode;
-use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand};
+use interface::command_line::{in_one_line, is_help};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -38,7 +38,7 @@ enum Command {
         /// A word: drag, di-felice, exit, 9, …
         word: Option<String>,
     },
-    /// Sweep what dead runs left in shared memory.
+    /// Sweep what dead runs and checks left.
     Clean,
 }
 
@@ -74,21 +74,12 @@ pub fn main() -> std::process::ExitCode {
 
 /// Help and version in full, where they are asked for or nothing is; what is wrong in one line.
 fn refuse(error: &clap::Error) -> ExitCode {
-    if !error.use_stderr() || error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+    if is_help(error) {
         // Nothing can be done where not even this can be printed.
         let _ = error.print();
         return if error.use_stderr() { ExitCode::CommandLine } else { ExitCode::Done };
     }
-    let text = error.to_string();
-    let says_something = |line: &&str| !line.is_empty() && !line.starts_with("For more information");
-    let lines: Vec<&str> = text.lines().map(str::trim).filter(says_something).collect();
-    let mut message = lines.join("; ").trim_start_matches("error: ").to_string();
-    if error.kind() == ErrorKind::InvalidSubcommand {
-        let command = Arguments::command();
-        let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        message += &format!("; allowed: {}", names.join(", "));
-    }
-    message += "; see --help";
+    let message = in_one_line(error, &Arguments::command());
     fail(&CouplerError::CommandLine { message })
 }
 

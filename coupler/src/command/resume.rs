@@ -21,8 +21,6 @@ pub(super) struct ResumeArguments {
 pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, CouplerError> {
     let ResumeArguments { dir, manner } = arguments;
     let Origin { case, set, variant, run } = Origin::read(dir)?;
-    let mut cases = Case::load(&case, &Overrides { set: set.clone(), variant: variant.clone() })?;
-    cases.retain(|case| case.run == run);
     let search = latest(&dir.join("restart"))?;
     let skipped: Vec<String> =
         search.skipped.iter().map(|found| format!("{}: {}", found.directory.display(), found.why)).collect();
@@ -30,6 +28,17 @@ pub(super) fn resume(arguments: &ResumeArguments) -> Result<ExitCode, CouplerErr
         let skipped = if skipped.is_empty() { String::new() } else { format!(" ({})", skipped.join("; ")) };
         return Err(CouplerError::NoRestartPoint { path: dir.clone(), skipped });
     };
+    let (written, own) = (&found.manifest.program_version, env!("CARGO_PKG_VERSION"));
+    if written != own {
+        let place = found.directory.display();
+        return Err(CouplerError::CommandLine {
+            message: format!(
+                "{place}: written by version {written}, this program is version {own}; resume with version {written} or start again"
+            ),
+        });
+    }
+    let mut cases = Case::load(&case, &Overrides { set: set.clone(), variant: variant.clone() })?;
+    cases.retain(|case| case.run == run);
     if let Some(case) = cases.first().filter(|case| case.hash != found.manifest.case_hash) {
         return Err(CouplerError::CommandLine {
             message: format!(

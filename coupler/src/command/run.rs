@@ -11,6 +11,7 @@ use case_io::summary::Summary;
 use clap::Args;
 use interface::participant::Hold;
 use interface::run::Who;
+use report::report_of_sweep;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -79,7 +80,7 @@ impl Manner {
     }
 }
 
-/// Runs each run of a case; a sweep gets a folder for each and a summary over all.
+/// Runs each run of a case; a sweep gets a folder for each, and a summary and a report over all.
 pub(super) fn run_all(
     cases: &[Case],
     request: &Request,
@@ -89,7 +90,7 @@ pub(super) fn run_all(
 ) -> Result<ExitCode, CouplerError> {
     let interrupted = Arc::new(AtomicBool::new(false));
     listen_for_interrupts(&interrupted);
-    let mut summaries = BTreeMap::new();
+    let mut summaries = Vec::new();
     let mut worst = ExitCode::Done;
     for case in cases {
         let folder = case.run.as_ref().map_or_else(|| out.to_path_buf(), |name| out.join(name));
@@ -101,17 +102,25 @@ pub(super) fn run_all(
             worst = summary.exit.code;
         }
         let goes_on = matches!(summary.exit.code, ExitCode::Done | ExitCode::CheckFailed);
-        summaries.insert(case.run.clone().unwrap_or_default(), summary);
+        summaries.push((case.run.clone().unwrap_or_default(), summary));
         if !goes_on {
             break;
         }
     }
     if cases.iter().any(|case| case.run.is_some()) {
-        let path = out.join("summary.json");
-        let text = serde_json::to_string_pretty(&summaries).unwrap_or_default();
-        fs::write(&path, text).map_err(OutputError::system("write", &path))?;
+        gather(&cases[0].name, &summaries, out)?;
     }
     Ok(worst)
+}
+
+/// What all runs of a sweep gave, for programs and for people.
+fn gather(case: &str, summaries: &[(String, Summary)], out: &Path) -> Result<(), CouplerError> {
+    let path = out.join("summary.json");
+    let by_name: BTreeMap<&str, &Summary> =
+        summaries.iter().map(|(name, summary)| (name.as_str(), summary)).collect();
+    let text = serde_json::to_string_pretty(&by_name).unwrap_or_default();
+    fs::write(&path, text).map_err(OutputError::system("write", &path))?;
+    Ok(report_of_sweep(out, case, summaries)?)
 }
 
 /// The first Ctrl-C ends the run at the next commit, the second at once.

@@ -93,8 +93,8 @@ fn check_substeps<const D: usize>(
 /// The error of a file that the case names at `key`, told with the key.
 fn at_key(case: &Case, key: &str, error: DemError) -> DemError {
     match error {
-        DemError::BadFile { path, what } => {
-            let found = format!("{}: {what}", path.display());
+        DemError::BadFile { path, flaw } => {
+            let found = format!("{}{flaw}", path.display());
             case.error(key, found, "", "repair the file or name another").into()
         }
         other => other,

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::facet::Facet;
 use crate::error::DemError;
+use crate::flaw::Flaw;
 use crate::vector::Vector;
 
 const HEADER: usize = 80;
@@ -20,13 +21,13 @@ const FLATTEST: f64 = 1e-7;
 /// area.
 pub fn read_stl(path: &Path, scale: f64) -> Result<Vec<Facet<3>>, DemError> {
     let bytes = fs::read(path).map_err(|source| DemError::Unreadable { path: path.into(), source })?;
-    parse(&bytes, scale).map_err(|what| DemError::BadFile { path: path.into(), what })
+    parse(&bytes, scale).map_err(|flaw| DemError::BadFile { path: path.into(), flaw })
 }
 
-fn parse(bytes: &[u8], scale: f64) -> Result<Vec<Facet<3>>, String> {
+fn parse(bytes: &[u8], scale: f64) -> Result<Vec<Facet<3>>, Flaw> {
     let triangles = if is_ascii(bytes) { parse_ascii(bytes)? } else { parse_binary(bytes)? };
     if triangles.is_empty() {
-        return Err("holds no triangle; an STL surface needs at least one".into());
+        return Err(Flaw::whole("holds no triangle; an STL surface needs at least one"));
     }
     triangles.into_iter().enumerate().map(|(index, vertices)| facet(index + 1, vertices, scale)).collect()
 }
@@ -36,8 +37,8 @@ fn is_ascii(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"solid") && !bytes.contains(&0)
 }
 
-fn parse_ascii(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, String> {
-    let text = std::str::from_utf8(bytes).map_err(|_| "is neither text nor binary STL".to_string())?;
+fn parse_ascii(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Flaw> {
+    let text = std::str::from_utf8(bytes).map_err(|_| Flaw::whole("is neither text nor binary STL"))?;
     let (mut triangles, mut vertices, mut ended) = (Vec::new(), Vec::new(), false);
     for (index, line) in text.lines().enumerate() {
         let mut words = line.split_whitespace();
@@ -45,14 +46,14 @@ fn parse_ascii(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, String> {
             Some("vertex") => {
                 let numbers: Vec<f64> = words.map_while(|word| word.parse().ok()).collect();
                 let vertex = numbers.try_into().map_err(|_| {
-                    format!("line {}: {:?} is not a vertex; write \"vertex x y z\"", index + 1, line.trim())
+                    Flaw::at(index + 1, format!("{:?} is not a vertex; write \"vertex x y z\"", line.trim()))
                 })?;
                 vertices.push(vertex);
             }
             Some("endfacet") => {
                 let count = vertices.len();
                 let triangle = std::mem::take(&mut vertices).try_into().map_err(|_| {
-                    format!("line {}: a facet of {count} vertices; STL has triangles only", index + 1)
+                    Flaw::at(index + 1, format!("a facet of {count} vertices; STL has triangles only"))
                 })?;
                 triangles.push(triangle);
             }
@@ -63,21 +64,21 @@ fn parse_ascii(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, String> {
     if ended {
         Ok(triangles)
     } else {
-        Err("ends without \"endsolid\"; it was cut short, write it again".into())
+        Err(Flaw::whole("ends without \"endsolid\"; it was cut short, write it again"))
     }
 }
 
-fn parse_binary(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, String> {
+fn parse_binary(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, Flaw> {
     let Some(count) = bytes.get(HEADER..HEADER + 4) else {
-        return Err(format!("is {} bytes long; even an empty binary STL has 84", bytes.len()));
+        return Err(Flaw::whole(format!("is {} bytes long; even an empty binary STL has 84", bytes.len())));
     };
     let count = u32::from_le_bytes([count[0], count[1], count[2], count[3]]) as usize;
     let records = &bytes[HEADER + 4..];
     let (found, announced) = (records.len(), count.saturating_mul(RECORD));
     if found < announced {
-        return Err(format!(
+        return Err(Flaw::whole(format!(
             "announces {count} triangles ({announced} bytes) and holds {found} bytes of them; it was cut short, write it again"
-        ));
+        )));
     }
     let number = |bytes: &[u8]| f64::from(f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
     let vertex = |bytes: &[u8]| std::array::from_fn(|axis| number(&bytes[4 * axis..]));
@@ -85,17 +86,17 @@ fn parse_binary(bytes: &[u8]) -> Result<Vec<[[f64; 3]; 3]>, String> {
     Ok(records[..announced].chunks_exact(RECORD).map(record).collect())
 }
 
-fn facet(number: usize, vertices: [[f64; 3]; 3], scale: f64) -> Result<Facet<3>, String> {
+fn facet(number: usize, vertices: [[f64; 3]; 3], scale: f64) -> Result<Facet<3>, Flaw> {
     let vertices = vertices.map(|vertex| Vector::from(vertex) * scale);
     if !vertices.iter().all(|vertex| vertex.iter().all(|x| x.is_finite())) {
-        return Err(format!("triangle {number}: a coordinate is not a finite number"));
+        return Err(Flaw::whole(format!("triangle {number}: a coordinate is not a finite number")));
     }
     let [a, b, c] = vertices;
     let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
     if (b - a).cross(&(c - a)).norm() <= FLATTEST * longest * longest {
-        return Err(format!(
+        return Err(Flaw::whole(format!(
             "triangle {number}: its vertices lie on one line, so that it has no area; remove it or repair the surface"
-        ));
+        )));
     }
     Ok(Facet { vertices })
 }
@@ -129,23 +130,24 @@ mod tests {
 
     #[test]
     fn damaged_files_are_refused_with_the_place_of_the_damage() {
-        let error = |bytes: &[u8]| parse(bytes, 1.0).unwrap_err();
+        let error = |bytes: &[u8]| format!("floor.stl{}", parse(bytes, 1.0).unwrap_err());
         let whole = binary(&[UNIT, UNIT]);
         assert!(
-            error(&whole[..whole.len() - 1]).starts_with("announces 2 triangles (100 bytes) and holds 99")
+            error(&whole[..whole.len() - 1])
+                .starts_with("floor.stl: announces 2 triangles (100 bytes) and holds 99")
         );
-        assert_eq!(error(b"stl"), "is 3 bytes long; even an empty binary STL has 84");
+        assert_eq!(error(b"stl"), "floor.stl: is 3 bytes long; even an empty binary STL has 84");
         assert!(error(&ASCII.as_bytes()[..51]).contains("cut short"));
         assert!(
             error(ASCII.replace("vertex 1 0 0", "vertex 1 0").as_bytes())
-                .starts_with("line 5: \"vertex 1 0\"")
+                .starts_with("floor.stl:5: \"vertex 1 0\"")
         );
         assert!(
             error(ASCII.replace("vertex 1 0 0", "vertex 1 0 NaN").as_bytes())
-                .starts_with("triangle 1: a coord")
+                .starts_with("floor.stl: triangle 1: a coord")
         );
         assert!(error(ASCII.replace("vertex 0 1 0", "vertex 5 0 0").as_bytes()).contains("no area"));
-        assert!(error(&binary(&[])).starts_with("holds no triangle"));
+        assert!(error(&binary(&[])).starts_with("floor.stl: holds no triangle"));
         let path = Path::new("/nowhere/pipe.stl");
         assert!(read_stl(path, 1.0).unwrap_err().to_string().starts_with("/nowhere/pipe.stl: "));
     }

@@ -74,11 +74,11 @@ pub enum MeshError {
     PeriodicAxis { axis: usize, found: String, allowed: &'static str },
     #[error("{generator}: {key} is {found}, allowed is {allowed}; change it")]
     Generator { generator: &'static str, key: &'static str, found: String, allowed: &'static str },
-    #[error("{}: {place}: found {found}, expected {expected}; {advice}", file.display())]
+    #[error("{}{place}: found {found}, expected {expected}; {advice}", file.display())]
     File { file: PathBuf, place: Place, found: String, expected: String, advice: &'static str },
 }
 
-/// Where in a mesh file an error is.
+/// Where in a mesh file an error is; its text follows the path of the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// Line of a text file, from 1.
@@ -92,9 +92,9 @@ pub enum Place {
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Place::Line(line) => write!(f, "line {line}"),
-            Place::Byte(byte) => write!(f, "byte {byte}"),
-            Place::File => write!(f, "file"),
+            Place::Line(line) => write!(f, ":{line}"),
+            Place::Byte(byte) => write!(f, ": byte {byte}"),
+            Place::File => Ok(()),
         }
     }
 }

@@ -63,7 +63,10 @@ fn foreign_elements_are_refused_by_name_and_line() {
     let number = head.split(' ').next().unwrap();
     let quadrangle = text.replacen(&format!("{head}\n"), &format!("{number} 3 2 1 1 1 2 3 4\n"), 1);
     let message = refusal::<2, 3>(quadrangle.as_bytes());
-    assert!(message.contains("4-node quadrangle") && message.contains(&format!("line {line}")), "{message}");
+    assert!(
+        message.contains("4-node quadrangle") && message.contains(&format!(":{line}: found")),
+        "{message}"
+    );
     let message = gmsh::read::<2, 3>(&path("tank", "4-binary")).unwrap_err().to_string();
     assert!(message.contains("Tetrahedron") && message.contains("dimension 2"), "{message}");
 }
@@ -74,7 +77,7 @@ fn files_of_other_versions_or_no_mesh_at_all_are_refused() {
     assert!(refusal::<2, 3>(b"solid cube").contains("\"solid\""));
     assert!(refusal::<2, 3>(b"$MeshFormat\n4 0 8\n$EndMeshFormat\n").contains("version 4"));
     assert!(refusal::<2, 3>(b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n").contains("no cells"));
-    assert!(refusal::<2, 3>(b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1e3\n").contains("line 5"));
+    assert!(refusal::<2, 3>(b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1e3\n").contains(":5: found"));
     let missing = gmsh::read::<2, 3>(Path::new("/no/such.msh")).unwrap_err().to_string();
     assert!(missing.contains("/no/such.msh"), "{missing}");
 }

@@ -20,9 +20,9 @@ pub struct Boundary {
     pub on: Vec<String>,
     /// What holds there.
     pub kind: BoundaryKind,
-    /// Velocity of the fluid (`inlet`) or of the wall (`moving-wall`).
+    /// Velocity of the wall (`moving-wall`), or of the fluid (`inlet`): the superficial one, n_f u, where grains are.
     pub velocity: Option<BoundaryVelocity>,
-    /// Mean speed along the inward normal (`inlet`, instead of `velocity`).
+    /// Mean superficial speed n_f u along the inward normal (`inlet`, instead of `velocity`).
     pub speed: Option<Velocity>,
     /// Profile of `speed`; default constant.
     pub profile: Option<Profile>,

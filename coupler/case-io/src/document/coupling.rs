@@ -11,17 +11,11 @@ use super::quantity::{Force, Pressure, Time, Velocity};
 pub struct Coupling {
     /// Order of the staggered iterations.
     pub scheme: Scheme,
-    /// Law of the drag.
+    /// Law of the drag; in 2D `none` or `di-felice-cylinder`, which is of 2D only.
     pub drag: Drag,
     /// Coefficient of added mass C_A (sphere: 0.5); default 0.
     #[serde(default)]
     pub added_mass: f64,
-    /// Whether −V∇p acts on the grains.
-    #[serde(default = "yes")]
-    pub pressure_gradient_force: bool,
-    /// Whether +V∇·τ acts on the grains.
-    #[serde(default = "yes")]
-    pub viscous_stress_force: bool,
     /// Whether the drag is corrected for the grain's own disturbance of the fluid.
     #[serde(default = "yes")]
     pub self_disturbance: bool,
@@ -80,6 +74,8 @@ pub enum Drag {
     Gidaspow,
     /// Di Felice 1994.
     DiFelice,
+    /// White 1991, Kaplun 1957 and Di Felice 1994: the discs of 2D.
+    DiFeliceCylinder,
 }
 
 /// How the iterations are accelerated.

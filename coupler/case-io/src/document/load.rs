@@ -139,7 +139,7 @@ fn hash(document: &Document, folder: &Path, source: &Source) -> Result<String, C
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::fixture::{DRY, Folder, SETTLING};
+    use crate::document::fixture::{CHANNEL, DRY, Folder, SETTLING};
     use crate::exit_code::ExitCode;
 
     const RUNS: &str = "
@@ -239,6 +239,7 @@ set = { \"fluid.mesh.box.cells\" = [20, 20, 40], \"time.window\" = \"0.5 ms\" }
                 .frames(crate::document::quantity::Time::from_si(1.0)),
             None
         );
+        // A table that is not there yet is made.
         assert_eq!(case(&["coupling.tolerance.force=1e-6"]).document.coupling.unwrap().tolerance.force, 1e-6);
     }
 
@@ -282,6 +283,18 @@ set = { \"fluid.mesh.box.cells\" = [20, 20, 40], \"time.window\" = \"0.5 ms\" }
             ("insertion[0].diameter=0 mm", "--set insertion[0].diameter: found 0 m; allowed: more than 0 m"),
         ] {
             assert_eq!(folder.refusal(&[set], None), message);
+        }
+        for (set, message) in [
+            (
+                "materials.glass.density=1 kg/m^3",
+                "--set materials.glass.density: there is no [materials]; add [materials.glass] to the case",
+            ),
+            (
+                "insertion[0].diameter=1 mm",
+                "--set insertion[0].diameter: there is no insertion; add it to the case, entries and all",
+            ),
+        ] {
+            assert_eq!(Folder::new(CHANNEL).refusal(&[set], None), message);
         }
         let code = |set: &[&str], variant| folder.load(set, variant).unwrap_err().exit_code();
         assert_eq!(code(&["time.end"], None), ExitCode::CommandLine);

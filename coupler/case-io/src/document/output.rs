@@ -16,7 +16,7 @@ use super::quantity::{QuantityVisitor, Time};
 pub struct OutputTable {
     /// Interval of the rows in `series/`; default end / 200.
     pub series: Option<Time>,
-    /// Interval of the pictures in `frames/`, or "none"; default end / 20.
+    /// Interval of the pictures in `frames/`, or "none": of the end only; default end / 20.
     pub frames: Option<Interval>,
     /// Interval of the restart points, or "none"; default end / 4.
     pub restart: Option<Interval>,
@@ -41,9 +41,14 @@ impl OutputTable {
         self.series.map_or(end.si() / 200.0, Time::si)
     }
 
-    /// Interval of the frames in s, for a run until `end`; nothing if there are none.
+    /// Interval of the frames in s, for a run until `end`; nothing if the end is the only one.
     pub fn frames(&self, end: Time) -> Option<f64> {
         self.frames.map_or(Some(end.si() / 20.0), Interval::seconds)
+    }
+
+    /// Whether the initial state is a frame: where there are frames in time.
+    pub fn films_start(&self) -> bool {
+        self.frames != Some(Interval::None)
     }
 
     /// Interval of the restart points in s, for a run until `end`; nothing if there are none.
@@ -55,7 +60,7 @@ impl OutputTable {
 /// An interval of time, or "none".
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Interval {
-    /// Never.
+    /// None.
     None,
     /// Once in every such time.
     Every(Time),

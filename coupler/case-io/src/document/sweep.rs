@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::validate::check_name;
+use super::validate::{check_name, check_run_name};
 use super::{Run, Variant};
 use crate::error::CaseError;
 use crate::nearest::did_you_mean;
@@ -25,7 +25,7 @@ pub(super) fn runs(source: &Source) -> Result<Vec<Planned>, CaseError> {
     }
     for (index, run) in runs.iter().enumerate() {
         let name = format!("run[{index}].name");
-        check_name(source, &name, &run.name)?;
+        check_run_name(source, &name, &run.name)?;
         if runs[..index].iter().any(|other| other.name == run.name) {
             return Err(source.error(
                 &name,
@@ -87,7 +87,11 @@ mod tests {
             ),
             (
                 "[[run]]\nname = \"../a\"",
-                "settling/case.toml:45: run[0].name: found the name \"../a\"; allowed: letters, digits, - and _",
+                "settling/case.toml:45: run[0].name: found the name \"../a\"; allowed: letters, digits, -, _ and, not at the start, .",
+            ),
+            (
+                "[[run]]\nname = \"a/b\"",
+                "settling/case.toml:45: run[0].name: found the name \"a/b\"; allowed: letters, digits, -, _ and, not at the start, .",
             ),
             ("[[run]]\nset = {}", "settling/case.toml:44: run[0].name: missing; add it to run[0]"),
             (
@@ -101,6 +105,8 @@ mod tests {
         ] {
             assert_eq!(Folder::new(&format!("{SETTLING}{run}\n")).refusal(&[], None), message);
         }
+        let sound = Folder::new(&format!("{SETTLING}[[run]]\nname = \"h1.5\"\n"));
+        assert_eq!(sound.load(&[], None).unwrap()[0].run.as_deref(), Some("h1.5"));
         let empty = format!("run = []\n{SETTLING}");
         assert_eq!(
             Folder::new(&empty).refusal(&[], None),

@@ -42,8 +42,6 @@ pub(super) fn decide(part: Part, document: &Document) -> Decision {
         | Part::Drag
         | Part::SelfDisturbance
         | Part::AddedMass
-        | Part::PressureGradientForce
-        | Part::ViscousStressForce
         | Part::ImplicitIterations
         | Part::Acceleration => match &document.coupling {
             Some(coupling) => of_coupling(part, coupling),
@@ -160,14 +158,6 @@ fn of_coupling(part: Part, coupling: &Coupling) -> Decision {
             (coupling.self_disturbance, format!("self-disturbance = {}", coupling.self_disturbance))
         }
         Part::AddedMass => (coupling.added_mass > 0.0, format!("added-mass = {}", coupling.added_mass)),
-        Part::PressureGradientForce => (
-            coupling.pressure_gradient_force,
-            format!("pressure-gradient-force = {}", coupling.pressure_gradient_force),
-        ),
-        Part::ViscousStressForce => (
-            coupling.viscous_stress_force,
-            format!("viscous-stress-force = {}", coupling.viscous_stress_force),
-        ),
         Part::ImplicitIterations if iterated => on(format!("{scheme}, at most {}", coupling.max_iterations)),
         Part::ImplicitIterations => off(scheme),
         Part::Acceleration if iterated => (
@@ -195,20 +185,7 @@ mod tests {
     #[test]
     fn a_case_pays_for_what_it_uses() {
         use Part::*;
-        assert_eq!(
-            on(CARRIED),
-            [
-                Grains,
-                CriticalSubstep,
-                Fluid,
-                Coupling,
-                Drag,
-                PressureGradientForce,
-                ViscousStressForce,
-                Frames,
-                RestartPoints
-            ]
-        );
+        assert_eq!(on(CARRIED), [Grains, CriticalSubstep, Fluid, Coupling, Drag, Frames, RestartPoints]);
         assert_eq!(
             on(DRY),
             [
@@ -256,8 +233,6 @@ mod tests {
             (SETTLING, "drag = \"di-felice\"", "drag = \"none\"", Part::SelfDisturbance),
             (SETTLING, "drag =", "self-disturbance = false\ndrag =", Part::SelfDisturbance),
             (SETTLING, "drag =", "added-mass = 0.5\ndrag =", Part::AddedMass),
-            (SETTLING, "drag =", "pressure-gradient-force = false\ndrag =", Part::PressureGradientForce),
-            (SETTLING, "drag =", "viscous-stress-force = false\ndrag =", Part::ViscousStressForce),
             (SETTLING, "drag =", "acceleration = \"none\"\ndrag =", Part::Acceleration),
             (SETTLING, "serial-implicit", "serial-explicit", Part::ImplicitIterations),
             (SETTLING, "serial-implicit", "one-way", Part::TwoWay),

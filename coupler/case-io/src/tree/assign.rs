@@ -8,7 +8,7 @@ use super::{KeyPath, Node, Origin, Segment, Source, Value, convert};
 use crate::error::CaseError;
 use crate::nearest::did_you_mean;
 
-/// Tables whose keys are names: an assignment may change an entry, but not invent one.
+/// Tables whose keys are names: an assignment may change an entry, but not add one, or a slip of the pen would.
 const NAMED: [&str; 2] = ["materials", "pairs"];
 
 /// One key and its new value.
@@ -72,18 +72,30 @@ fn replace(root: &mut Node, path: &KeyPath, new: Node) -> Result<(), Refusal> {
         return Err(Refusal::advice("cannot be set", "set a key of the case itself"));
     }
     let mut node = root;
+    let mut is_new = false;
     for (depth, segment) in path.0.iter().enumerate() {
         let parent = KeyPath(path.0[..depth].to_vec());
+        if is_new && matches!(segment, Segment::Index(_)) {
+            return Err(Refusal::advice(
+                format!("there is no {parent}"),
+                "add it to the case, entries and all",
+            ));
+        }
         node = match (&mut node.value, segment) {
             (Value::Table(table), Segment::Key(key)) => {
                 if NAMED.contains(&parent.to_string().as_str()) && !table.contains_key(key) {
                     let known: Vec<&String> = table.keys().collect();
+                    if known.is_empty() {
+                        let advice = format!("add [{parent}.{key}] to the case");
+                        return Err(Refusal::advice(format!("there is no [{parent}]"), advice));
+                    }
                     return Err(Refusal {
                         found: format!("there is no \"{key}\" in [{parent}]"),
                         allowed: known.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", "),
                         advice: did_you_mean(key, &known),
                     });
                 }
+                is_new = !table.contains_key(key);
                 table
                     .entry(key.clone())
                     .or_insert_with(|| Node { value: Value::Table(BTreeMap::new()), origin: new.origin })

@@ -9,7 +9,7 @@ use crate::error::InterfaceError;
 use crate::frames::{Header, Row};
 use crate::message::{Command, Report, decode, encode};
 use crate::pulse::{Abandon, Pulse};
-use crate::run::{RunId, Who, require_space};
+use crate::run::{RunId, Who, make_runs_folder, require_space};
 use iceoryx2::port::client::Client as IoxClient;
 use iceoryx2::port::listener::{Listener, ListenerWaitError};
 use iceoryx2::port::notifier::Notifier;
@@ -41,6 +41,7 @@ struct Session {
 impl Session {
     fn open(run: RunId) -> Result<Session, InterfaceError> {
         set_log_level(LogLevel::Fatal);
+        make_runs_folder()?;
         let root = run.root();
         let failed = |detail: String| transport("setting up a node", detail, run);
         std::fs::create_dir_all(&root).map_err(|error| failed(error.to_string()))?;

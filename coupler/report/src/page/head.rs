@@ -31,7 +31,8 @@ pub(super) fn html(run: &Run) -> String {
     )
 }
 
-fn verdict(summary: &Summary) -> (&'static str, &'static str, String) {
+/// Class, word and sentence.
+pub(super) fn verdict(summary: &Summary) -> (&'static str, &'static str, String) {
     let code = summary.exit.code;
     let checks = summary.checks.len();
     let failed = summary.checks.iter().filter(|check| !check.pass).count();

@@ -1,4 +1,4 @@
-//! The report as one HTML page without script and without anything external.
+//! Reports as one HTML page without script and without anything external.
 
 mod checks;
 mod head;
@@ -6,11 +6,13 @@ mod ledger;
 mod pictures;
 mod seconds;
 mod series;
+mod sweep;
 mod text;
 
 use crate::ReportError;
 use crate::run::Run;
 pub(crate) use pictures::Figure;
+pub(crate) use sweep::html as sweep_html;
 use text::escape;
 pub(crate) use text::number;
 
@@ -33,13 +35,18 @@ pub(crate) fn html(run: &Run, figures: &[Figure]) -> Result<String, ReportError>
         notes(&run.notes),
     ]
     .concat();
+    Ok(document(title, &body))
+}
+
+/// The document around a body.
+fn document(title: &str, body: &str) -> String {
     let title = escape(title);
     let style = include_str!("style.css");
-    Ok(format!(
+    format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n{body}</main>\n</body>\n</html>\n"
-    ))
+    )
 }
 
 fn section(title: &str, content: &str) -> String {

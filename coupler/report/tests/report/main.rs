@@ -6,7 +6,8 @@ use std::fs;
 use std::path::Path;
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use report::{ReportError, report};
+use case_io::exit_code::ExitCode;
+use report::{ReportError, report, report_of_sweep};
 use tiny_skia::Pixmap;
 
 use synthetic::{empty_directory, summary, write_frames_in_space, write_frames_in_the_plane, write_series};
@@ -148,6 +149,30 @@ fn what_cannot_be_read_is_named_and_the_rest_is_shown() {
         assert!(html.split("Could not be read").nth(1).unwrap().contains(named), "{named}");
     }
     assert_eq!(pictures(&html).len(), 3);
+}
+
+#[test]
+fn a_sweep_is_listed_with_the_verdict_the_checks_and_the_report_of_each_run() {
+    let directory = empty_directory("sweep");
+    let mut passed = summary();
+    passed.exit.code = ExitCode::Done;
+    passed.checks.truncate(1);
+    let runs = [("h1.5".to_owned(), passed), ("h<3".to_owned(), summary())];
+    report_of_sweep(&directory, "settling", &runs).unwrap();
+    let html = fs::read_to_string(directory.join("report.html")).unwrap();
+    for expected in [
+        "<h1>settling</h1>",
+        "1 of 2 runs pass.",
+        "<span class=\"mark good\">Passed</span> <a href=\"h1.5/report.html\">h1.5</a>",
+        "<span class=\"mark bad\">Failed</span> <a href=\"h&lt;3/report.html\">",
+        "1 of 2 checks failed",
+        "bed height",
+        "Di Felice 1994",
+    ] {
+        assert!(html.contains(expected), "{expected}");
+    }
+    assert_self_contained(&html.replace("href=\"h1.5/", "").replace("href=\"h&lt;3/", ""));
+    assert!(html.len() < 10_000, "{}", html.len());
 }
 
 #[test]

@@ -23,10 +23,20 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
     rules.positive("coupling.answer-deadline", coupling.answer_deadline)
 }
 
+/// What is allowed in 3D.
+const SPHERE_LAWS: &str =
+    "none, stokes, schiller-naumann, haider-levenspiel, wen-yu, ergun, gidaspow, di-felice";
+
 fn laws(coupling: &Coupling, rules: &Rules) -> Result<(), CaseError> {
-    if rules.dimension == Dimension::Two && !matches!(coupling.drag, Drag::None | Drag::DiFelice) {
-        let found = "this law was fitted to spheres, and grains in 2D are cylinders";
-        return rules.refuse("coupling.drag", found, "none, di-felice (with the drag of a cylinder)", "");
+    let discs = rules.dimension == Dimension::Two;
+    let for_discs = coupling.drag == Drag::DiFeliceCylinder;
+    if coupling.drag != Drag::None && for_discs != discs {
+        let (found, allowed) = if discs {
+            ("this law was fitted to spheres, and grains in 2D are discs", "none, di-felice-cylinder")
+        } else {
+            ("this law was fitted to cylinders, and grains in 3D are spheres", SPHERE_LAWS)
+        };
+        return rules.refuse("coupling.drag", found, allowed, "");
     }
     let added = coupling.added_mass;
     rules.number("coupling.added-mass", added, added >= 0.0, "0 or more (a sphere has 0.5)")?;
@@ -83,7 +93,7 @@ fn tolerance(coupling: &Coupling, rules: &Rules) -> Result<(), CaseError> {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::fixture::{CARRIED, CHANNEL, DRY, SETTLING, assert_refusals};
+    use crate::document::fixture::{CARRIED, CHANNEL, DRY, SETTLING, assert_refusals, document};
 
     const TABLE: &str = "[coupling]\nscheme = \"serial-implicit\"\ndrag = \"di-felice\"\n";
 
@@ -124,14 +134,23 @@ mod tests {
     }
 
     #[test]
-    fn laws_of_spheres_are_refused_for_cylinders() {
+    fn laws_of_spheres_are_refused_for_discs_and_the_other_way_round() {
         let both = DRY.replace("[grains]", "[coupling]\nscheme = \"one-way\"\ndrag = \"none\"\n[fluid]\nbackend = \"imposed\"\ndensity = \"1 kg/m^3\"\nviscosity = \"1 Pa s\"\nfield = { velocity = [\"0\", \"0\"], pressure = \"0\" }\n[grains]").replace("end = \"1 s\"", "end = \"1 s\"\nwindow = \"1 ms\"");
         assert_refusals(
             &both,
             &[(
                 "drag = \"none\"",
                 "drag = \"wen-yu\"",
-                "case.toml:25: coupling.drag: this law was fitted to spheres, and grains in 2D are cylinders; allowed: none, di-felice (with the drag of a cylinder)",
+                "case.toml:25: coupling.drag: this law was fitted to spheres, and grains in 2D are discs; allowed: none, di-felice-cylinder",
+            )],
+        );
+        document(&both.replace("drag = \"none\"", "drag = \"di-felice-cylinder\""));
+        assert_refusals(
+            SETTLING,
+            &[(
+                "\"di-felice\"",
+                "\"di-felice-cylinder\"",
+                "case.toml:40: coupling.drag: this law was fitted to cylinders, and grains in 3D are spheres; allowed: none, stokes, schiller-naumann, haider-levenspiel, wen-yu, ergun, gidaspow, di-felice",
             )],
         );
         assert_refusals(
@@ -139,7 +158,7 @@ mod tests {
             &[(
                 "\"di-felice\"",
                 "\"difelice\"",
-                "case.toml:40: coupling.drag: unknown drag \"difelice\"; allowed: none, stokes, schiller-naumann, haider-levenspiel, wen-yu, ergun, gidaspow, di-felice; did you mean \"di-felice\"?",
+                "case.toml:40: coupling.drag: unknown drag \"difelice\"; allowed: none, stokes, schiller-naumann, haider-levenspiel, wen-yu, ergun, gidaspow, di-felice, di-felice-cylinder; did you mean \"di-felice\"?",
             )],
         );
     }

@@ -108,7 +108,7 @@ mod tests {
             .replace("[[insertion]]", "escape = \"remove\"\ndomain = { lower = [\"-1 m\", \"-1 m\", \"0 m\"], upper = [\"1 m\", \"1 m\", \"2 m\"] }\n[[insertion]]")
             .replace("diameter = \"2 mm\"", "diameter-range = [\"1 mm\", \"2 mm\"]\nvelocity = [\"0 m/s\", \"0 m/s\", \"-1 m/s\"]")
             .replace("[fluid.mesh]", "velocity = [\"1 cm/s\", \"0 m/s\", \"0 m/s\"]\nbody-force = [\"1 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\nsolve = { tolerance = 1e-9 }\n[fluid.mesh]")
-            .replace("drag = ", "added-mass = 0.5\npressure-gradient-force = true\nviscous-stress-force = false\nself-disturbance = false\ntolerance = { velocity = 1e-4, pressure-floor = \"1 uPa\" }\nmax-iterations = 7\nacceleration = \"constant\"\nrelaxation = 0.4\nledger-tolerance = 1e-10\npeer-deadline = \"5 s\"\nanswer-deadline = \"2 min\"\ndrag = ");
+            .replace("drag = ", "added-mass = 0.5\nself-disturbance = false\ntolerance = { velocity = 1e-4, pressure-floor = \"1 uPa\" }\nmax-iterations = 7\nacceleration = \"constant\"\nrelaxation = 0.4\nledger-tolerance = 1e-10\npeer-deadline = \"5 s\"\nanswer-deadline = \"2 min\"\ndrag = ");
         let read = document(&text);
         let (fluid, coupling) = (read.fluid.as_ref().unwrap(), read.coupling.as_ref().unwrap());
         assert_eq!((read.case.seed, read.time.substep_safety, read.smallest_window()), (7, 0.2, 1e-6));

@@ -16,7 +16,7 @@ use crate::error::CaseError;
 use crate::tree::Source;
 use rules::Rules;
 
-pub(super) use rules::check_name;
+pub(super) use rules::{check_name, check_run_name};
 
 /// Refuses the first thing that cannot be, or that would have no effect.
 pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseError> {

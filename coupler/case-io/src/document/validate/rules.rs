@@ -157,9 +157,22 @@ impl Rules<'_> {
 
 /// Names go into paths, columns and file names.
 pub(in crate::document) fn check_name(source: &Source, key: &str, found: &str) -> Result<(), CaseError> {
-    let plain = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
-    if !found.is_empty() && found.chars().all(plain) {
+    if !found.is_empty() && found.chars().all(is_plain) {
         return Ok(());
     }
     Err(source.error(key, format_args!("found the name \"{found}\""), "letters, digits, - and _", ""))
+}
+
+/// Names of runs go into paths only: a point may stand inside, as in `h1.5`.
+pub(in crate::document) fn check_run_name(source: &Source, key: &str, found: &str) -> Result<(), CaseError> {
+    let starts_well = found.starts_with(is_plain);
+    if starts_well && found.chars().all(|c| is_plain(c) || c == '.') {
+        return Ok(());
+    }
+    let allowed = "letters, digits, -, _ and, not at the start, .";
+    Err(source.error(key, format_args!("found the name \"{found}\""), allowed, ""))
+}
+
+fn is_plain(c: char) -> bool {
+    c.is_alphanumeric() || c == '-' || c == '_'
 }
