@@ -6,5 +6,6 @@ mod exact_flows;
 mod hydrostatics;
 mod inlets;
 mod manufactured;
+mod resistant_bed;
 mod support;
 mod taylor_green;
