@@ -59,6 +59,7 @@ parts! {
     Drag: "drag",
     SelfDisturbance: "self-disturbance correction",
     AddedMass: "added mass",
+    GivingWay: "grains giving way",
     ImplicitIterations: "implicit iterations",
     Acceleration: "acceleration of the iterations",
     Frames: "frames",

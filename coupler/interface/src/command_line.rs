@@ -12,7 +12,7 @@ pub fn in_one_line(error: &clap::Error, command: &clap::Command) -> String {
     let text = error.to_string();
     let says_something = |line: &&str| !line.is_empty() && !line.starts_with("For more information");
     let lines: Vec<&str> = text.lines().map(str::trim).filter(says_something).collect();
-    let mut message = lines.join("; ").trim_start_matches("error: ").to_string();
+    let mut message = lines.join("; ").replace(":; ", ": ").trim_start_matches("error: ").to_string();
     if error.kind() == ErrorKind::InvalidSubcommand {
         let shown = command.get_subcommands().filter(|known| !known.is_hide_set());
         let names: Vec<&str> = shown.map(clap::Command::get_name).collect();

@@ -42,6 +42,7 @@ pub(super) fn decide(part: Part, document: &Document) -> Decision {
         | Part::Drag
         | Part::SelfDisturbance
         | Part::AddedMass
+        | Part::GivingWay
         | Part::ImplicitIterations
         | Part::Acceleration => match &document.coupling {
             Some(coupling) => of_coupling(part, coupling),
@@ -158,6 +159,7 @@ fn of_coupling(part: Part, coupling: &Coupling) -> Decision {
             (coupling.self_disturbance, format!("self-disturbance = {}", coupling.self_disturbance))
         }
         Part::AddedMass => (coupling.added_mass > 0.0, format!("added-mass = {}", coupling.added_mass)),
+        Part::GivingWay => (coupling.scheme == Scheme::SerialExplicit, scheme),
         Part::ImplicitIterations if iterated => on(format!("{scheme}, at most {}", coupling.max_iterations)),
         Part::ImplicitIterations => off(scheme),
         Part::Acceleration if iterated => (
@@ -212,6 +214,7 @@ mod tests {
             BodyForce,
             BoundaryExpressions,
             AddedMass,
+            GivingWay,
         ];
         assert_eq!(
             on(SETTLING),
