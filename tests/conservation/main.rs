@@ -95,3 +95,83 @@ fn momentum_closes_with_added_mass_and_iterations() {
         assert!(momentum <= 1e-12, "ratio {ratio}: {momentum:e}");
     }
 }
+
+/// 216 grains on a lattice, φ = 0.05, thrown into fluid at rest in a periodic box.
+const SUSPENSION: &str = r#"
+[case]
+title = "a suspension thrown into fluid at rest"
+dimension = 3
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+[time]
+end = "1 s"
+window = "1 ms"
+[output]
+frames = "none"
+restart = "none"
+[materials.solid]
+density = "2500 kg/m^3"
+[grains]
+normal-law = "none"
+domain = { lower = ["0 mm", "0 mm", "0 mm"], upper = ["6.56342904 mm", "6.56342904 mm", "6.56342904 mm"] }
+periodic = ["x", "y", "z"]
+[[insertion]]
+name = "suspension"
+material = "solid"
+diameter = "0.5 mm"
+velocity = ["0.1 m/s", "0 m/s", "0 m/s"]
+lattice = { lower = ["0 mm", "0 mm", "0 mm"], upper = ["6.56342904 mm", "6.56342904 mm", "6.56342904 mm"], spacing = "1.09390484 mm" }
+[fluid]
+backend = "eulerian"
+density = "1000 kg/m^3"
+viscosity = "1 mPa s"
+[fluid.mesh.box]
+lower = ["0 mm", "0 mm", "0 mm"]
+upper = ["6.56342904 mm", "6.56342904 mm", "6.56342904 mm"]
+cells = [5, 5, 5]
+periodic = ["x", "y", "z"]
+[coupling]
+scheme = "serial-explicit"
+drag = "stokes"
+self-disturbance = false
+[[probe]]
+name = "centre"
+at = ["3 mm", "3 mm", "3 mm"]
+"#;
+
+/// The ledger closes on the momentum that the time rule conserves; this is the momentum itself. The first window takes
+/// up to all of the slip.
+#[test]
+fn a_thrown_suspension_ends_at_the_velocity_of_the_mixture_however_long_the_window() {
+    let folder = Folder::new();
+    let case = folder.write("suspension/case.toml", SUSPENSION);
+    let solids = std::f64::consts::PI / 6.0 * (0.5_f64 / 1.09390484).powi(3);
+    let mixture = 0.1 * 2500.0 * solids / (2500.0 * solids + 1000.0 * (1.0 - solids));
+    for window in [2e-3_f64, 2e-2, 2e-1] {
+        let out = folder.join(&format!("suspension-{window}"));
+        // Twenty windows, and at least half a second: fourteen relaxation times.
+        let end = (20.0 * window).max(0.5);
+        let changes = [
+            format!("time.window=\"{window} s\""),
+            format!("time.end=\"{end} s\""),
+            format!("output.series=\"{end} s\""),
+        ];
+        let changes: Vec<&str> = changes.iter().map(String::as_str).collect();
+        let output = run(&case, &out, &changes, &[]);
+        assert_eq!(output.status.code(), Some(0), "{window}: {}", stderr(&output));
+        let last = |series: &str, column: &str| {
+            *Series::read(&out.join(format!("series/{series}.csv")))
+                .unwrap()
+                .column(column)
+                .unwrap()
+                .values
+                .last()
+                .unwrap()
+        };
+        let (grains, fluid) = (last("grains", "vx"), last("probes", "centre.ux"));
+        println!("window {window} s: grains {grains}, fluid {fluid}, mixture {mixture} m/s");
+        assert!(
+            (grains - mixture).abs() < 1e-6 && (fluid - mixture).abs() < 1e-5,
+            "{window}: {grains} {fluid} {mixture}"
+        );
+    }
+}

@@ -92,6 +92,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         exchange: &Exchange<D>,
         iterate: Option<(&[Vector<D>], &[f64])>,
     ) -> Result<u64, FluidError> {
+        if self.state.previous_step.is_none() && !exchange.is_silent() {
+            self.state.begin_with_grains(step.length);
+        }
         let rule = TimeRule::new(step.length, self.state.previous_step);
         self.work.rule = rule;
         self.extrapolate(rule);
