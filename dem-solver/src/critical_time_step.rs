@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::contact::normal::{Hertz, Hooke, Normal};
+use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal};
 use crate::contact::{Chunk, Coefficients, NormalLaw};
 use crate::error::DemError;
 use crate::grains::inertia;
@@ -73,6 +73,8 @@ pub fn critical_time_step<const D: usize>(scene: &Scene<D>, world: &World<D>) ->
         NormalLaw::None => CriticalStep { step: f64::INFINITY, binding: Binding::Nothing },
         NormalLaw::Hooke(law) => by_law::<D, Hooke>(scene, world, &law),
         NormalLaw::Hertz(law) => by_law::<D, Hertz>(scene, world, &law),
+        NormalLaw::LiggghtsHooke(law) => by_law::<D, LiggghtsHooke>(scene, world, &law),
+        NormalLaw::LiggghtsHertz(law) => by_law::<D, LiggghtsHertz>(scene, world, &law),
     }
 }
 

@@ -20,6 +20,8 @@ pub struct PairMaterial {
     pub effective_modulus: f64,
     /// G*, 1/G* = Σ 2 (2 - ν)(1 + ν)/E \[Pa\].
     pub effective_shear_modulus: f64,
+    /// Coefficient of restitution e \[-\].
+    pub restitution: f64,
     /// Damping ratio ζ that gives the pair's restitution \[-\].
     pub damping_ratio: f64,
     /// Coefficient of sliding friction μ \[-\].
@@ -35,6 +37,7 @@ impl PairMaterial {
             effective_shear_modulus: both(|m| {
                 2.0 * (2.0 - m.poissons_ratio) * (1.0 + m.poissons_ratio) / m.youngs_modulus
             }),
+            restitution,
             damping_ratio: damping_ratio(restitution),
             sliding_friction,
         }

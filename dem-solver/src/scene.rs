@@ -75,6 +75,8 @@ impl<const D: usize> Scene<D> {
         match self.normal_law {
             NormalLaw::Hooke(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
             NormalLaw::Hertz(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
+            NormalLaw::LiggghtsHooke(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
+            NormalLaw::LiggghtsHertz(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
             NormalLaw::None => None,
         }
     }

@@ -13,6 +13,8 @@ pub struct Coefficients {
     pub tangential_damping: f64,
     /// Coefficient of sliding friction μ \[-\].
     pub sliding_friction: f64,
+    /// Effective mass m* of the two bodies \[kg\].
+    pub effective_mass: f64,
 }
 
 /// How stiffness and damping grow with the overlap: factors on [`Coefficients`].

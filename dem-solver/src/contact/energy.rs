@@ -1,6 +1,6 @@
 //! Energy stored in contacts.
 
-use super::normal::{Hertz, Hooke, Normal, NormalLaw};
+use super::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal, NormalLaw};
 use super::tangential::Spring;
 use super::walls::pressed_surfaces;
 use crate::scene::Scene;
@@ -11,6 +11,8 @@ pub fn stored_energy<const D: usize>(scene: &Scene<D>, world: &World<D>) -> f64 
     match scene.normal_law {
         NormalLaw::Hooke(_) => by_law::<D, Hooke>(scene, world),
         NormalLaw::Hertz(_) => by_law::<D, Hertz>(scene, world),
+        NormalLaw::LiggghtsHooke(_) => by_law::<D, LiggghtsHooke>(scene, world),
+        NormalLaw::LiggghtsHertz(_) => by_law::<D, LiggghtsHertz>(scene, world),
         NormalLaw::None => 0.0,
     }
 }

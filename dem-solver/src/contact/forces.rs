@@ -5,9 +5,9 @@ use std::ops::AddAssign;
 use rayon::prelude::*;
 
 use super::list::{CHUNK, Chunk};
-use super::normal::{Hertz, Hooke, Normal, NormalLaw};
+use super::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal, NormalLaw};
 use super::pairs::pair_forces;
-use super::tangential::{Coulomb, Frictionless, Tangential};
+use super::tangential::{Coulomb, Frictionless, LiggghtsHistory, Tangential};
 use super::walls::wall_forces;
 use crate::scene::Scene;
 use crate::vector::{Spin, Vector};
@@ -61,12 +61,29 @@ pub fn forces<const D: usize>(
     workspace: &mut Workspace<D>,
     step: f64,
 ) {
-    match (scene.normal_law, scene.materials.rub()) {
-        (NormalLaw::None, _) => workspace.clear_loads(world.grains.len()),
-        (NormalLaw::Hooke(_), false) => by_law::<D, Hooke, Frictionless>(scene, world, workspace, step),
-        (NormalLaw::Hooke(_), true) => by_law::<D, Hooke, Coulomb>(scene, world, workspace, step),
-        (NormalLaw::Hertz(_), false) => by_law::<D, Hertz, Frictionless>(scene, world, workspace, step),
-        (NormalLaw::Hertz(_), true) => by_law::<D, Hertz, Coulomb>(scene, world, workspace, step),
+    match scene.normal_law {
+        NormalLaw::None => workspace.clear_loads(world.grains.len()),
+        NormalLaw::Hooke(_) => rubbing_or_not::<D, Hooke, Coulomb>(scene, world, workspace, step),
+        NormalLaw::Hertz(_) => rubbing_or_not::<D, Hertz, Coulomb>(scene, world, workspace, step),
+        NormalLaw::LiggghtsHooke(_) => {
+            rubbing_or_not::<D, LiggghtsHooke, LiggghtsHistory>(scene, world, workspace, step);
+        }
+        NormalLaw::LiggghtsHertz(_) => {
+            rubbing_or_not::<D, LiggghtsHertz, LiggghtsHistory>(scene, world, workspace, step);
+        }
+    }
+}
+
+fn rubbing_or_not<const D: usize, N: Normal<D>, T: Tangential<D>>(
+    scene: &Scene<D>,
+    world: &mut World<D>,
+    workspace: &mut Workspace<D>,
+    step: f64,
+) {
+    if scene.materials.rub() {
+        by_law::<D, N, T>(scene, world, workspace, step);
+    } else {
+        by_law::<D, N, Frictionless>(scene, world, workspace, step);
     }
 }
 

@@ -40,8 +40,7 @@ pub fn pair_forces<const D: usize, N: Normal<D>, T: Tangential<D>>(
         }
         let normal = separation / distance;
         let overlap = reach - distance;
-        // The contact point halves the overlap; the two arms add up to the distance, so that no torque is lost.
-        let (arm_i, arm_j) = (normal * (a.radius - 0.5 * overlap), normal * (b.radius - 0.5 * overlap));
+        let [arm_i, arm_j] = [a, b].map(|grain| normal * N::arm(grain.radius, overlap, reach));
         let (m, n) = (&grains.motion[i], &grains.motion[j]);
         let velocity = m.velocity - n.velocity
             + spin_velocity(&m.angular_velocity, &arm_i)

@@ -40,6 +40,12 @@ pub fn damping_ratio(e: f64) -> f64 {
     0.5 * (lower + upper)
 }
 
+/// The damping ratio ζ = -ln e/√(ln² e + π²) of a contact that may pull until its overlap vanishes.
+pub fn pulling_damping_ratio(e: f64) -> f64 {
+    let log = e.ln();
+    -log / log.hypot(std::f64::consts::PI)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -24,16 +24,13 @@ pub fn touch_force<const D: usize, N: Normal<D>, T: Tangential<D>>(
     spring: &mut Spring<D>,
     step: f64,
 ) -> Vector<D> {
-    let growth = N::growth(touch.overlap);
     let closing = touch.velocity.dot(&touch.normal);
-    let elastic = coefficients.normal_stiffness * growth.stiffness * touch.overlap;
-    let viscous = coefficients.normal_damping * growth.damping * closing;
-    let normal_force = (elastic + viscous).max(0.0);
+    let normal_force = N::force(coefficients, touch.overlap, closing, step);
     let sliding = Sliding {
         normal: touch.normal,
         velocity: touch.velocity - touch.normal * closing,
-        limit: coefficients.sliding_friction * normal_force,
+        limit: coefficients.sliding_friction * normal_force.abs(),
         step,
     };
-    T::force(coefficients, growth, &sliding, spring) - touch.normal * normal_force
+    T::force(coefficients, N::growth(touch.overlap), &sliding, spring) - touch.normal * normal_force
 }

@@ -53,11 +53,11 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential<D>>(
                 scratch.fault.get_or_insert(Fault::OnWall { grain, wall: pressed.wall });
                 continue;
             }
-            // The wall is rigid: the contact point lies in it.
-            let arm = normal * pressed.nearest.distance;
+            let overlap = place.radius - pressed.nearest.distance;
+            let arm = normal * N::arm(place.radius, overlap, f64::INFINITY);
             let motion = &grains.motion[row as usize];
             let velocity = motion.velocity + spin_velocity(&motion.angular_velocity, &arm);
-            let touch = Touch { normal, overlap: place.radius - pressed.nearest.distance, velocity };
+            let touch = Touch { normal, overlap, velocity };
             let mut spring =
                 if T::REMEMBERS { inherited(of_grain, pressed.wall, &normal) } else { Spring::relaxed() };
             let force = touch_force::<D, N, T>(&pressed.candidate.coefficients, &touch, &mut spring, step);

@@ -5,7 +5,7 @@ use case_io::error::CaseError;
 
 use super::{FluidMesh, at_key};
 use crate::contact::NormalLaw;
-use crate::contact::normal::{Hertz, Hooke};
+use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke};
 use crate::domain::Domain;
 use crate::error::DemError;
 use crate::material::{Material, Materials};
@@ -23,15 +23,20 @@ pub fn scene<const D: usize>(
 ) -> Result<Scene<D>, DemError> {
     let document = &case.document;
     let depth = document.case.depth();
+    let characteristic_velocity = || {
+        let stated = grains.characteristic_velocity.map(|velocity| velocity.si());
+        let advice = "state it: a linear law finds its stiffness from it";
+        stated.ok_or_else(|| case.error("grains.characteristic-velocity", "missing", "a velocity", advice))
+    };
     let normal_law = match grains.normal_law {
         document::NormalLaw::None => NormalLaw::None,
         document::NormalLaw::Hertz => NormalLaw::Hertz(Hertz { depth }),
+        document::NormalLaw::LiggghtsHertz => NormalLaw::LiggghtsHertz(LiggghtsHertz),
         document::NormalLaw::Hooke => {
-            let characteristic_velocity = grains.characteristic_velocity.ok_or_else(|| {
-                let advice = "state it: \"hooke\" finds its stiffness from it";
-                case.error("grains.characteristic-velocity", "missing", "a velocity", advice)
-            })?;
-            NormalLaw::Hooke(Hooke { characteristic_velocity: characteristic_velocity.si(), depth })
+            NormalLaw::Hooke(Hooke { characteristic_velocity: characteristic_velocity()?, depth })
+        }
+        document::NormalLaw::LiggghtsHooke => {
+            NormalLaw::LiggghtsHooke(LiggghtsHooke { characteristic_velocity: characteristic_velocity()? })
         }
     };
     Ok(Scene {

@@ -2,10 +2,9 @@ use crate::scenes::{floor, glass, hertz, hooke, run, world};
 use dem_solver::{Domain, Grain, Scene};
 
 #[test]
+#[allow(clippy::print_stdout, reason = "the deviation is a figure of the documentation")]
 fn a_sliding_sphere_ends_up_rolling_at_five_sevenths_of_its_speed_and_a_disc_at_two_thirds() {
-    // Exactly: at v/v₀ = (m l²/I)/(1 + m l²/I), l the height of the centre, less than r by the overlap.
-    let rolling = |shape: f64, height: f64| shape * height * height / (1.0 + shape * height * height);
-    let radius = 1e-2;
+    let (radius, mut worst) = (1e-2, 0.0_f64);
     for law in [hertz(), hooke()] {
         for friction in [0.1, 0.6] {
             let scene = Scene::<3>::new(glass(0.5, friction), law)
@@ -14,20 +13,21 @@ fn a_sliding_sphere_ends_up_rolling_at_five_sevenths_of_its_speed_and_a_disc_at_
             let mut ball =
                 world(&scene, &[Grain::at([0.0, 0.0, 0.99999 * radius], radius).moving([0.3, 0.0, 0.0])]);
             run(&scene, &mut ball, 0.3, 30_000).unwrap();
-            let (motion, height) = (&ball.grains.motion[0], ball.grains.place[0].centre.z);
+            let motion = &ball.grains.motion[0];
             let v = motion.velocity.x / 0.3;
-            assert!((v - rolling(2.5, height / radius)).abs() < 1e-4, "{law:?} mu {friction}: {v}");
-            assert!((v - 5.0 / 7.0).abs() < 2e-3);
-            assert!((motion.velocity.x - motion.angular_velocity.y * height).abs() < 1e-5);
+            worst = worst.max((v - 5.0 / 7.0).abs());
+            assert!((v - 5.0 / 7.0).abs() < 1e-4, "{law:?} mu {friction}: {v}");
+            assert!((motion.velocity.x - motion.angular_velocity.y * radius).abs() < 1e-5);
 
             let scene =
                 Scene::<2>::new(glass(0.5, friction), law).with_gravity([0.0, -9.81]).with_walls(floor());
             let mut disc = world(&scene, &[Grain::at([0.0, 0.99999 * radius], radius).moving([0.3, 0.0])]);
             run(&scene, &mut disc, 0.3, 30_000).unwrap();
-            let (v, height) = (disc.grains.motion[0].velocity.x / 0.3, disc.grains.place[0].centre.y);
-            assert!((v - rolling(2.0, height / radius)).abs() < 1e-4, "{law:?} mu {friction}: {v}");
+            let v = disc.grains.motion[0].velocity.x / 0.3;
+            assert!((v - 2.0 / 3.0).abs() < 1e-4, "{law:?} mu {friction}: {v}");
         }
     }
+    println!("rolling starts at 5/7: {worst:.1e} [1e-4]");
 }
 
 #[test]

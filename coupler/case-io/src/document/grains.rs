@@ -12,7 +12,7 @@ use super::vector::{Axis, Bounds};
 pub struct Grains {
     /// Law of the normal contact force.
     pub normal_law: NormalLaw,
-    /// Velocity from which the stiffness of the `hooke` law is found (`hooke` only).
+    /// Velocity from which the stiffness of a linear law is found (`hooke` and `liggghts-hooke` only).
     pub characteristic_velocity: Option<Velocity>,
     /// Where grains may be; default: the box around the fluid mesh, the walls and the insertions.
     pub domain: Option<Bounds>,
@@ -32,6 +32,10 @@ pub enum NormalLaw {
     Hooke,
     /// Hertz's force with a dashpot that gives the stated restitution.
     Hertz,
+    /// LIGGGHTS 3.8.0, `model hooke tangential history` (3D).
+    LiggghtsHooke,
+    /// LIGGGHTS 3.8.0, `model hertz tangential history` (3D).
+    LiggghtsHertz,
     /// No contact at all.
     None,
 }

@@ -268,7 +268,7 @@ mod tests {
                 (
                     "normal-law = \"hertz\"",
                     "normal-law = true",
-                    "case.toml:16: grains.normal-law: found true; allowed: \"hooke\", \"hertz\", \"none\"",
+                    "case.toml:16: grains.normal-law: found true; allowed: \"hooke\", \"hertz\", \"liggghts-hooke\", \"liggghts-hertz\", \"none\"",
                 ),
                 (
                     "plane = {",

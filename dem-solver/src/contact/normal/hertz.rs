@@ -7,7 +7,7 @@ use crate::contact::coefficients::{Coefficients, Growth};
 use crate::grains::volume;
 use crate::material::PairMaterial;
 
-/// Elastic spheres: F_n = 4/3 E* √(R* δ) δ + c_n δ', capped at no tension; S_n = 2 E* √(R* δ) its slope.
+/// Elastic spheres: F_n = max(0, 4/3 E* √(R* δ) δ + c_n δ'); S_n = 2 E* √(R* δ) its slope.
 ///
 /// | symbol | code | 3D | 2D (cylinders of the slab's depth b) |
 /// |---|---|---|---|
@@ -46,6 +46,7 @@ impl<const D: usize> Normal<D> for Hertz {
             tangential_stiffness: tangential,
             tangential_damping: damping(tangential),
             sliding_friction: pair.sliding_friction,
+            effective_mass,
         }
     }
 

@@ -6,7 +6,7 @@ use super::{Normal, linear_resolving_step};
 use crate::contact::coefficients::{Coefficients, Growth};
 use crate::material::PairMaterial;
 
-/// Linear contact: F_n = k_n δ + c_n δ', capped at no tension.
+/// Linear contact: F_n = max(0, k_n δ + c_n δ').
 ///
 /// | symbol | code | unit | formula |
 /// |---|---|---|---|
@@ -43,6 +43,7 @@ impl<const D: usize> Normal<D> for Hooke {
             tangential_stiffness,
             tangential_damping: damping(tangential_stiffness),
             sliding_friction: pair.sliding_friction,
+            effective_mass,
         }
     }
 

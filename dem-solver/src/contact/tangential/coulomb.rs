@@ -1,6 +1,6 @@
 //! Spring and dashpot up to Coulomb's limit.
 
-use super::{Sliding, Spring, Tangential};
+use super::{Sliding, Spring, Tangential, shortened};
 use crate::contact::coefficients::{Coefficients, Growth};
 use crate::vector::Vector;
 
@@ -47,13 +47,6 @@ fn turned<const D: usize>(vector: &Vector<D>, normal: &Vector<D>) -> Vector<D> {
     let flat = vector - normal * vector.dot(normal);
     let left = flat.norm_squared();
     if left > 0.0 { flat * (vector.norm_squared() / left).sqrt() } else { Vector::zeros() }
-}
-
-/// The vector, cut to this length if it is longer.
-#[inline]
-fn shortened<const D: usize>(vector: Vector<D>, length: f64) -> Vector<D> {
-    let squared = vector.norm_squared();
-    if squared > length * length { vector * (length / squared.sqrt()) } else { vector }
 }
 
 #[cfg(test)]

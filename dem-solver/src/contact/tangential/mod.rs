@@ -2,12 +2,14 @@
 
 mod coulomb;
 mod frictionless;
+mod liggghts_history;
 
 use super::coefficients::{Coefficients, Growth};
 use crate::vector::Vector;
 
 pub use coulomb::Coulomb;
 pub use frictionless::Frictionless;
+pub use liggghts_history::LiggghtsHistory;
 
 /// Memory of a rubbing contact; all zero before the first touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +45,7 @@ pub struct Sliding<const D: usize> {
     pub normal: Vector<D>,
     /// Tangential velocity of the first body's surface relative to the second's \[m/s\].
     pub velocity: Vector<D>,
-    /// Largest force that friction bears, μ F_n \[N\].
+    /// Largest force that friction bears, μ |F_n| \[N\].
     pub limit: f64,
     /// Time since the spring was last moved \[s\].
     pub step: f64,
@@ -61,4 +63,11 @@ pub trait Tangential<const D: usize> {
         sliding: &Sliding<D>,
         spring: &mut Spring<D>,
     ) -> Vector<D>;
+}
+
+/// The vector, cut to this length if it is longer.
+#[inline]
+fn shortened<const D: usize>(vector: Vector<D>, length: f64) -> Vector<D> {
+    let squared = vector.norm_squared();
+    if squared > length * length { vector * (length / squared.sqrt()) } else { vector }
 }

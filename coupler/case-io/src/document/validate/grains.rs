@@ -12,10 +12,19 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
         NormalLaw::Hooke => {
             rules.required(key, "the stiffness of \"hooke\" is found from it, for example \"1 m/s\"")?
         }
+        NormalLaw::LiggghtsHooke => rules
+            .required(key, "the stiffness of \"liggghts-hooke\" is found from it, for example \"1 m/s\"")?,
         NormalLaw::Hertz => rules.no_effect(key, "with normal-law = \"hertz\"")?,
+        NormalLaw::LiggghtsHertz => rules.no_effect(key, "with normal-law = \"liggghts-hertz\"")?,
         NormalLaw::None => rules.no_effect(key, "with normal-law = \"none\"")?,
     }
     rules.optional_positive(key, grains.characteristic_velocity)?;
+    if document.case.dimension.count() == 2
+        && matches!(grains.normal_law, NormalLaw::LiggghtsHooke | NormalLaw::LiggghtsHertz)
+    {
+        let allowed = "\"hooke\", \"hertz\", \"none\"";
+        return rules.refuse("grains.normal-law", "the laws of LIGGGHTS are for spheres", allowed, "");
+    }
     if let Some(domain) = &grains.domain {
         rules.corners("grains.domain", &domain.lower, &domain.upper)?;
     }
@@ -87,7 +96,7 @@ mod tests {
                 (
                     "\"hooke\"",
                     "\"herz\"",
-                    "case.toml:23: grains.normal-law: unknown law \"herz\"; allowed: hooke, hertz, none; did you mean \"hertz\"?",
+                    "case.toml:23: grains.normal-law: unknown law \"herz\"; allowed: hooke, hertz, liggghts-hooke, liggghts-hertz, none; did you mean \"hertz\"?",
                 ),
                 (
                     "characteristic-velocity = \"1 m/s\"",
@@ -107,6 +116,18 @@ mod tests {
                 "[[insertion]]",
                 "characteristic-velocity = \"1 m/s\"\n[[insertion]]",
                 "case.toml:12: grains.characteristic-velocity: has no effect with normal-law = \"none\"; delete it",
+            )],
+        );
+    }
+
+    #[test]
+    fn the_laws_of_liggghts_are_for_spheres() {
+        assert_refusals(
+            DRY,
+            &[(
+                "\"hooke\"",
+                "\"liggghts-hooke\"",
+                "case.toml:23: grains.normal-law: the laws of LIGGGHTS are for spheres; allowed: \"hooke\", \"hertz\", \"none\"",
             )],
         );
     }
