@@ -1,4 +1,5 @@
 //! One pass per window is stable where grains and fluid share a closed vessel: neither can move without the other.
+#![allow(clippy::print_stdout, reason = "the speeds are figures of the documentation")]
 
 #[path = "../support/mod.rs"]
 mod support;

@@ -116,6 +116,12 @@ impl Pattern {
         &self.column[self.slots(row)]
     }
 
+    /// Columns of a range of slots.
+    #[inline]
+    pub fn columns_at(&self, slots: Range<usize>) -> &[u32] {
+        &self.column[slots]
+    }
+
     /// Slot of an entry, to be computed once and used in every assembly; `None` where there is no entry.
     #[inline]
     pub fn slot(&self, row: usize, column: usize) -> Option<usize> {

@@ -11,7 +11,7 @@ mod stabilisation;
 
 pub use average::{Average, share};
 pub use facet::Facet;
-pub use momentum::MomentumCell;
+pub use momentum::{MassFlux, MomentumRow};
 pub use pressure::PressureCell;
 pub use stabilisation::{Resistance, relaxation_time};
 

@@ -1,6 +1,6 @@
 //! Pressure: gradient, divergence and the orthogonal subscale that lets both be of equal order.
 
-use super::{PorousCell, gradient, share};
+use super::{PorousCell, share};
 use crate::element::simplex::{Vector, dot};
 
 /// A cell with the relaxation time of its pressure subscale.
@@ -10,12 +10,16 @@ pub struct PressureCell<'a, const D: usize, const N: usize> {
     void_gradient: Vector<D>,
     /// τ₁ V.
     weight: f64,
+    /// τ₁ V ⟨ε²⟩.
+    square: f64,
 }
 
 impl<'a, const D: usize, const N: usize> PressureCell<'a, D, N> {
     /// A cell stabilised with τ₁.
     pub fn new(cell: PorousCell<'a, D, N>, relaxation_time: f64) -> Self {
-        Self { cell, void_gradient: cell.void_gradient(), weight: relaxation_time * cell.volume }
+        let weight = relaxation_time * cell.volume;
+        let square = weight * cell.void_fraction.square();
+        Self { cell, void_gradient: cell.void_gradient(), weight, square }
     }
 
     /// ∫ N_j ∇(ε N_i): (p, ∇·(ε w)) for test function i and p_j, and (q, ∇·(ε u)) for test function j and u_i.
@@ -43,7 +47,7 @@ impl<'a, const D: usize, const N: usize> PressureCell<'a, D, N> {
 
     /// (ε∇q, τ₁ ε∇p) for test function i and p_j.
     pub fn laplacian(&self, i: usize, j: usize) -> f64 {
-        self.weight * self.cell.void_fraction.square() * dot(&self.cell.gradients[i], &self.cell.gradients[j])
+        self.square * dot(&self.cell.gradients[i], &self.cell.gradients[j])
     }
 
     /// ∫ τ₁ N_a ε y for a constant y.
@@ -54,11 +58,6 @@ impl<'a, const D: usize, const N: usize> PressureCell<'a, D, N> {
 
     /// (ε∇q, τ₁ ε y) for test function i and a constant y.
     pub fn drive(&self, i: usize, y: &Vector<D>) -> f64 {
-        self.weight * self.cell.void_fraction.square() * dot(&self.cell.gradients[i], y)
-    }
-
-    /// ∇p of a P1 pressure (Pa/m).
-    pub fn slope(&self, pressure: &[f64; N]) -> Vector<D> {
-        gradient(self.cell.gradients, pressure)
+        self.square * dot(&self.cell.gradients[i], y)
     }
 }

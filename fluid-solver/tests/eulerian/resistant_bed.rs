@@ -1,4 +1,5 @@
 //! Beds that resist the flow more than its inertia does.
+#![allow(clippy::print_stdout, reason = "the iterations are figures of the documentation")]
 
 use crate::support::{Random, box_mesh, flow, given};
 use fluid_solver::backend::eulerian::{Eulerian, Properties, Response};

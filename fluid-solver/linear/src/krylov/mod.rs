@@ -111,7 +111,12 @@ impl Progress {
         let tolerance = (stopping.relative * b_norm).max(stopping.absolute);
         let progress =
             Self { tolerance, limit: stopping.iterations, iterations: 0, confirmed: f64::INFINITY };
-        let r_norm = residual(a, b, x, r);
+        let r_norm = if x.iter().all(|&x| x == 0.0) {
+            r.copy_from_slice(b);
+            b_norm
+        } else {
+            residual(a, b, x, r)
+        };
         if !b_norm.is_finite() || !r_norm.is_finite() {
             return Err(progress.stop(r_norm, Verdict::NonFinite));
         }

@@ -1,14 +1,15 @@
 //! Fills the matrices of a step.
 
+use super::cell_fields::{CellFields, mean};
 use super::compliance::{CompliantCell, Given};
-use super::incidence::{Incidence, ROWS, for_each_node, for_each_row};
-use super::matrices::{Coupling, Matrices, Recovery, Right};
+use super::incidence::{Corner, Incidence, ROWS, for_each_node};
+use super::matrices::{Matrices, Right, RowEntries};
 use super::outlet::Outlets;
 use super::state::State;
 use super::time_rule::TimeRule;
 use crate::element::simplex::{Vector, dot};
 use crate::mesh::Mesh;
-use crate::weak_form::{MomentumCell, PorousCell, PressureCell, Resistance, relaxation_time, share};
+use crate::weak_form::{MomentumRow, PorousCell, PressureCell, share};
 use rayon::prelude::*;
 
 /// All that a step's matrices are made of.
@@ -32,79 +33,40 @@ pub struct Ingredients<'a, const D: usize, const N: usize> {
 }
 
 /// Fields that the assembly computes on its way.
-#[derive(Default)]
-pub struct AssemblyScratch<const D: usize> {
-    /// τ₁ of the cells.
-    relaxation_times: Vec<f64>,
+pub struct AssemblyScratch<const D: usize, const N: usize> {
+    cells: Vec<CellFields<D, N>>,
     /// Projection of ρε a·∇a on the nodes (Pa/m).
     convection: Vec<Vector<D>>,
 }
 
+impl<const D: usize, const N: usize> AssemblyScratch<D, N> {
+    /// Empty.
+    pub fn new() -> Self {
+        Self { cells: Vec::new(), convection: Vec::new() }
+    }
+}
+
 impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
     /// Fills the matrices and right-hand sides.
-    pub fn assemble(&self, scratch: &mut AssemblyScratch<D>, matrices: &mut Matrices<D>) {
-        let AssemblyScratch { relaxation_times, convection } = scratch;
-        relaxation_times.resize(self.mesh.cells().len(), 0.0);
-        relaxation_times.par_chunks_mut(ROWS).enumerate().for_each(|(chunk, times)| {
-            for (cell, time) in (chunk * ROWS..).zip(times) {
-                *time = self.relaxation_time(cell);
-            }
-        });
+    pub fn assemble(&self, scratch: &mut AssemblyScratch<D, N>, matrices: &mut Matrices<D>) {
+        let AssemblyScratch { cells, convection } = scratch;
+        let all = (0..self.mesh.cells().len()).into_par_iter().with_min_len(ROWS);
+        all.map(|cell| CellFields::new(self, cell)).collect_into_vec(cells);
         convection.resize(self.mesh.node_count(), [0.0; D]);
-        for_each_node(convection, |node, value| *value = self.projected_convection(node, relaxation_times));
+        for_each_node(convection, |node, value| *value = self.projected_convection(node, cells));
 
-        let Matrices { pattern, momentum, coupling, recovery, right, .. } = matrices;
-        for_each_row(pattern, momentum.blocks_mut(), right, |row, blocks, right| {
-            blocks.fill([[0.0; D]; D]);
+        matrices.for_each_row(|row, mut entries, right| {
+            entries.clear();
             *right = Right::ZERO;
             for corner in self.incidence.of(row) {
-                let (cell, i) = (corner.cell as usize, corner.local as usize);
-                let nodes = self.mesh.cell_nodes(cell);
-                let element = self.momentum_cell(cell, &nodes, relaxation_times[cell]);
-                for (j, &entry) in corner.entries.iter().enumerate() {
-                    let block = element.block(self.rule.new, i, j);
-                    let target = &mut blocks[entry as usize];
-                    for (target, source) in target.as_flattened_mut().iter_mut().zip(block.as_flattened()) {
-                        *target += source;
-                    }
-                }
-                self.add_momentum_right(cell, &nodes, i, right);
-                let mean = mean(&nodes.map(|node| convection[node as usize]));
-                let subscale = element.subscale(i, &mean);
-                for k in 0..D {
-                    right.force[k] += subscale[k];
-                }
-            }
-        });
-        for_each_row(pattern, coupling, right, |row, entries, right| {
-            entries.fill(Coupling::ZERO);
-            for corner in self.incidence.of(row) {
-                self.add_coupling(
-                    corner.cell as usize,
-                    corner.local as usize,
-                    &corner.entries,
-                    relaxation_times,
-                    entries,
-                    right,
-                );
-            }
-        });
-        for_each_row(pattern, recovery, right, |row, entries, right| {
-            entries.fill(Recovery::ZERO);
-            for corner in self.incidence.of(row) {
-                let (cell, i) = (corner.cell as usize, corner.local as usize);
-                let element = self.pressure_cell(cell, &self.mesh.cell_nodes(cell), relaxation_times[cell]);
-                for (j, &entry) in corner.entries.iter().enumerate() {
-                    let (gradient, target) = (element.recovery(i, j), &mut entries[entry as usize]);
-                    for k in 0..D {
-                        target.gradient[k] += gradient[k];
-                    }
-                    target.mass += element.mass(i, j);
-                }
-                right.recovery_mass += element.lumped_mass();
+                let fields = &cells[corner.cell as usize];
+                self.add_momentum(corner, fields, convection, &mut entries, right);
+                self.add_pressure(corner, fields, &mut entries, right);
+                self.add_compliance(corner, &mut entries, right);
             }
         });
         let void = &self.state.void_fraction;
+        let Matrices { momentum, right, .. } = matrices;
         self.outlets.add_outflow(self.density, void, self.convecting, momentum);
         self.outlets.for_each_traction(void, |node, force| {
             for k in 0..D {
@@ -117,45 +79,12 @@ impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
         PorousCell::new(self.mesh, cell, nodes, &self.state.void_fraction)
     }
 
-    fn momentum_cell(&self, cell: usize, nodes: &[u32; N], relaxation_time: f64) -> MomentumCell<'_, D, N> {
-        let convecting = nodes.map(|node| self.convecting[node as usize]);
-        MomentumCell::new(
-            self.porous_cell(cell, nodes),
-            self.density,
-            self.viscosity,
-            &convecting,
-            relaxation_time,
-        )
-    }
-
-    fn pressure_cell(&self, cell: usize, nodes: &[u32; N], relaxation_time: f64) -> PressureCell<'_, D, N> {
-        PressureCell::new(self.porous_cell(cell, nodes), relaxation_time)
-    }
-
-    fn relaxation_time(&self, cell: usize) -> f64 {
-        let nodes = self.mesh.cell_nodes(cell);
-        let velocity = mean(&nodes.map(|node| self.convecting[node as usize]));
-        let factorial = if D == 2 { 2.0 } else { 6.0 };
-        relaxation_time(&Resistance {
-            density: self.density,
-            viscosity: self.viscosity,
-            void_fraction: self.porous_cell(cell, &nodes).void_fraction.mean(),
-            speed: dot(&velocity, &velocity).sqrt(),
-            drag: nodes.iter().map(|&node| self.drag[node as usize]).sum::<f64>() / N as f64,
-            step: self.step,
-            size: (factorial * self.mesh.volumes()[cell]).powf(1.0 / D as f64),
-        })
-    }
-
     /// Σ τ₁ V/N ρε a·∇a / Σ τ₁ V/N over the cells around a node.
-    fn projected_convection(&self, node: usize, relaxation_times: &[f64]) -> Vector<D> {
+    fn projected_convection(&self, node: usize, cells: &[CellFields<D, N>]) -> Vector<D> {
         let (mut sum, mut total) = ([0.0; D], 0.0);
         for corner in self.incidence.of(node) {
-            let cell = corner.cell as usize;
-            let nodes = self.mesh.cell_nodes(cell);
-            let convecting = nodes.map(|node| self.convecting[node as usize]);
-            let convection = self.momentum_cell(cell, &nodes, 0.0).convection(&convecting);
-            let weight = relaxation_times[cell] * self.mesh.volumes()[cell];
+            let CellFields { relaxation_time, convection, .. } = &cells[corner.cell as usize];
+            let weight = relaxation_time * self.mesh.volumes()[corner.cell as usize];
             total += weight;
             for k in 0..D {
                 sum[k] += weight * convection[k];
@@ -164,83 +93,82 @@ impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
         sum.map(|sum| sum / total)
     }
 
-    /// (ρε(g + b), w) − (a₁ρεⁿuⁿ + a₂ρεⁿ⁻¹uⁿ⁻¹, w).
-    fn add_momentum_right(&self, cell: usize, nodes: &[u32; N], i: usize, right: &mut Right<D>) {
-        let state = self.state;
-        let void = self.porous_cell(cell, nodes).void_fraction;
-        let void_old = PorousCell::new(self.mesh, cell, nodes, &state.void_fraction_old).void_fraction;
-        let void_older = PorousCell::new(self.mesh, cell, nodes, &state.void_fraction_older).void_fraction;
-        let mass = self.density * self.mesh.volumes()[cell];
-        for (j, &node) in nodes.iter().enumerate() {
-            let node = node as usize;
-            let weight = mass * void.second(i, j);
-            let old = -mass * self.rule.old() * void_old.second(i, j);
-            let older = -mass * self.rule.older * void_older.second(i, j);
-            for k in 0..D {
-                right.force[k] += weight * self.acceleration[node][k]
-                    + old * state.velocity_old[node][k]
-                    + older * state.velocity_older[node][k];
+    fn add_momentum(
+        &self,
+        corner: &Corner<N>,
+        fields: &CellFields<D, N>,
+        convection: &[Vector<D>],
+        entries: &mut RowEntries<'_, D>,
+        right: &mut Right<D>,
+    ) {
+        let (cell, i) = (corner.cell as usize, corner.local as usize);
+        let nodes = self.mesh.cell_nodes(cell);
+        let element = MomentumRow::new(
+            self.porous_cell(cell, &nodes),
+            &fields.flux,
+            i,
+            self.rule.new * self.density,
+            self.viscosity,
+            fields.relaxation_time,
+        );
+        for (j, &entry) in corner.entries.iter().enumerate() {
+            let target = &mut entries.momentum[entry as usize];
+            for (target, source) in target.as_flattened_mut().iter_mut().zip(element.block(j).as_flattened())
+            {
+                *target += source;
             }
+        }
+        let subscale = element.subscale(&mean(&nodes.map(|node| convection[node as usize])));
+        for k in 0..D {
+            right.force[k] += fields.force[i][k] + subscale[k];
         }
     }
 
-    fn add_coupling(
+    fn add_pressure(
         &self,
-        cell: usize,
-        i: usize,
-        places: &[u32; N],
-        relaxation_times: &[f64],
-        entries: &mut [Coupling<D>],
+        corner: &Corner<N>,
+        fields: &CellFields<D, N>,
+        entries: &mut RowEntries<'_, D>,
         right: &mut Right<D>,
     ) {
+        let (cell, i) = (corner.cell as usize, corner.local as usize);
         let nodes = self.mesh.cell_nodes(cell);
-        let element = self.pressure_cell(cell, &nodes, relaxation_times[cell]);
+        let element = PressureCell::new(self.porous_cell(cell, &nodes), fields.relaxation_time);
         let volume = self.mesh.volumes()[cell];
-        for (j, &place) in places.iter().enumerate() {
-            let target = &mut entries[place as usize];
-            let (gradient, divergence, projection) =
-                (element.gradient(i, j), element.gradient(j, i), element.recovery(j, i));
-            for k in 0..D {
-                target.gradient[k] += gradient[k];
-                target.divergence[k] += divergence[k];
-                target.projection[k] += projection[k];
-            }
-            target.laplacian += element.laplacian(i, j);
+        for (j, &entry) in corner.entries.iter().enumerate() {
+            let entry = entry as usize;
+            add(&mut entries.gradient[entry], element.gradient(i, j));
+            add(&mut entries.divergence[entry], element.gradient(j, i));
+            let subscale = &mut entries.subscale[entry];
+            add(&mut subscale.projection, element.recovery(j, i));
+            subscale.laplacian += element.laplacian(i, j);
+            let recovery = &mut entries.recovery[entry];
+            add(&mut recovery.gradient, element.recovery(i, j));
+            recovery.mass += element.mass(i, j);
             right.source -= volume * share::<N>(i, j) * self.void_rate(nodes[j] as usize);
         }
-        self.add_compliance(cell, i, &nodes, places, entries, right);
         let weight = mean(&nodes.map(|node| self.acceleration[node as usize])).map(|a| self.density * a);
         right.source += element.drive(i, &weight);
-        let recovered = element.recover(i, &weight);
-        for k in 0..D {
-            right.recovered_weight[k] += recovered[k];
-        }
+        add(&mut right.recovered_weight, element.recover(i, &weight));
+        right.recovery_mass += element.lumped_mass();
     }
 
-    fn add_compliance(
-        &self,
-        cell: usize,
-        i: usize,
-        nodes: &[u32; N],
-        places: &[u32; N],
-        entries: &mut [Coupling<D>],
-        right: &mut Right<D>,
-    ) {
+    fn add_compliance(&self, corner: &Corner<N>, entries: &mut RowEntries<'_, D>, right: &mut Right<D>) {
         let Given { compliance, velocity, pressure } = self.given;
         if compliance.is_empty() {
             return;
         }
+        let (cell, i) = (corner.cell as usize, corner.local as usize);
+        let nodes = self.mesh.cell_nodes(cell);
         let nodal = nodes.map(|node| compliance[node as usize]);
-        let element = CompliantCell::new(self.porous_cell(cell, nodes), &nodal);
-        for (j, (&place, &node)) in places.iter().zip(nodes).enumerate() {
-            let (target, node) = (&mut entries[place as usize], node as usize);
+        let element = CompliantCell::new(self.porous_cell(cell, &nodes), &nodal);
+        for (j, (&entry, node)) in corner.entries.iter().zip(nodes).enumerate() {
+            let (entry, node) = (entry as usize, node as usize);
             let (relay, entrain, press) = (element.relay(i, j), element.entrain(i, j), element.press(i, j));
-            for k in 0..D {
-                target.gradient[k] -= relay[k];
-                target.divergence[k] += entrain[k];
-                right.force[k] += relay[k] * pressure[node];
-            }
-            target.laplacian += press;
+            add(&mut entries.gradient[entry], relay.map(|relay| -relay));
+            add(&mut entries.divergence[entry], entrain);
+            entries.subscale[entry].laplacian += press;
+            add(&mut right.force, relay.map(|relay| relay * pressure[node]));
             right.source += press * pressure[node] + dot(&entrain, &velocity[node]);
         }
     }
@@ -256,6 +184,8 @@ impl<const D: usize, const N: usize> Ingredients<'_, D, N> {
     }
 }
 
-fn mean<const D: usize, const N: usize>(values: &[Vector<D>; N]) -> Vector<D> {
-    std::array::from_fn(|k| values.iter().map(|value| value[k]).sum::<f64>() / N as f64)
+fn add<const D: usize>(sum: &mut Vector<D>, term: Vector<D>) {
+    for k in 0..D {
+        sum[k] += term[k];
+    }
 }

@@ -43,7 +43,7 @@ pub struct Flow<const D: usize, const N: usize> {
     /// g + b at the nodes (m/s²).
     pub(super) acceleration: Vec<Vector<D>>,
     pub(super) state: State<D>,
-    pub(super) work: Workspace<D>,
+    pub(super) work: Workspace<D, N>,
 }
 
 impl<const D: usize, const N: usize> Flow<D, N> {

@@ -5,7 +5,7 @@ use linear::Pattern;
 use rayon::prelude::*;
 
 /// Rows per unit of parallel work; fixed, so that nothing depends on the number of threads.
-pub const ROWS: usize = 1024;
+pub const ROWS: usize = 256;
 
 /// A cell seen from one of its corners.
 #[derive(Debug, Clone, Copy)]
@@ -57,24 +57,36 @@ impl<const N: usize> Incidence<N> {
     }
 }
 
+/// Entries of consecutive rows, in one array or in several.
+pub trait Entries: Send + Sized {
+    /// The first `count` and the rest.
+    fn split(self, count: usize) -> (Self, Self);
+}
+
+impl<T: Send> Entries for &mut [T] {
+    fn split(self, count: usize) -> (Self, Self) {
+        self.split_at_mut(count)
+    }
+}
+
 /// Calls `work(row, entries of the row, value of the row)` for every row of a matrix and a vector.
-pub fn for_each_row<T: Send, R: Send>(
+pub fn for_each_row<E: Entries, R: Send>(
     pattern: &Pattern,
-    entries: &mut [T],
+    entries: E,
     values: &mut [R],
-    work: impl Fn(usize, &mut [T], &mut R) + Sync,
+    work: impl Fn(usize, E, &mut R) + Sync,
 ) {
     let (mut rest, mut chunks) = (entries, Vec::with_capacity(values.len().div_ceil(ROWS)));
     for (index, values) in values.chunks_mut(ROWS).enumerate() {
         let first = index * ROWS;
         let count = pattern.slots(first + values.len() - 1).end - pattern.slots(first).start;
-        let (own, after) = rest.split_at_mut(count);
+        let (own, after) = rest.split(count);
         chunks.push((first, own, values));
         rest = after;
     }
     chunks.into_par_iter().for_each(|(first, mut own, values)| {
         for (row, value) in (first..).zip(values) {
-            let (entries, after) = own.split_at_mut(pattern.slots(row).len());
+            let (entries, after) = own.split(pattern.slots(row).len());
             work(row, entries, value);
             own = after;
         }

@@ -10,6 +10,11 @@ use crate::backend::Step;
 use crate::element::simplex::{Vector, dot};
 use crate::weak_form::{Facet, PorousCell};
 use interface::ledger::FluidLedger;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Cells summed in one go; fixed, so that nothing depends on the number of threads.
+const CELLS: usize = 1024;
 
 /// A sum of vectors and of the sizes of its terms.
 #[derive(Debug, Clone, Copy)]
@@ -28,6 +33,13 @@ impl<const D: usize> Sum<D> {
             self.components[k].add(term[k]);
             self.scale += term[k].abs();
         }
+    }
+
+    fn join(&mut self, part: &Self) {
+        for k in 0..D {
+            self.components[k].add(part.components[k].value());
+        }
+        self.scale += part.scale;
     }
 
     fn value(&self) -> Vector<D> {
@@ -95,15 +107,25 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     }
 
     fn inertia(&self, rule: TimeRule) -> Inertia<D> {
+        let cells = self.mesh.cells().len();
+        let chunk = |index: usize| self.inertia_of(index * CELLS..cells.min((index + 1) * CELLS), rule);
+        let parts: Vec<_> = (0..cells.div_ceil(CELLS)).into_par_iter().map(chunk).collect();
+        parts.iter().fold(Inertia::new(), |mut sum, part| {
+            sum.join(part);
+            sum
+        })
+    }
+
+    fn inertia_of(&self, cells: Range<usize>, rule: TimeRule) -> Inertia<D> {
         let (density, state) = (self.properties.density, &self.state);
-        let mut sum =
-            Inertia { momentum: Sum::new(), rate: Sum::new(), body: Sum::new(), kinetic_energy: 0.0 };
-        for cell in 0..self.mesh.cells().len() {
+        let mut sum = Inertia::new();
+        for cell in cells {
             let nodes = self.mesh.cell_nodes(cell);
             let void = |field| PorousCell::new(&self.mesh, cell, &nodes, field).void_fraction;
             let [new, old, older] =
                 [&state.void_fraction, &state.void_fraction_old, &state.void_fraction_older]
                     .map(|field| void(field));
+            let moments = new.moments(&nodes.map(|node| state.velocity[node as usize]));
             let mass = density * self.mesh.volumes()[cell];
             for (i, node) in nodes.map(|node| node as usize).into_iter().enumerate() {
                 let times = |share: f64, field: &Vector<D>| field.map(|component| mass * share * component);
@@ -113,10 +135,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 sum.rate.add(times(rule.old() * old.first(i), &state.velocity_old[node]));
                 sum.rate.add(times(rule.older * older.first(i), &state.velocity_older[node]));
                 sum.body.add(times(new.first(i), &self.acceleration[node]));
-                for (j, &other) in nodes.iter().enumerate() {
-                    let other = &state.velocity[other as usize];
-                    sum.kinetic_energy += 0.5 * mass * new.second(i, j) * dot(&state.velocity[node], other);
-                }
+                sum.kinetic_energy += 0.5 * mass * dot(&state.velocity[node], &moments[i]);
             }
         }
         sum
@@ -153,4 +172,17 @@ struct Inertia<const D: usize> {
     rate: Sum<D>,
     body: Sum<D>,
     kinetic_energy: f64,
+}
+
+impl<const D: usize> Inertia<D> {
+    fn new() -> Self {
+        Self { momentum: Sum::new(), rate: Sum::new(), body: Sum::new(), kinetic_energy: 0.0 }
+    }
+
+    fn join(&mut self, part: &Self) {
+        self.momentum.join(&part.momentum);
+        self.rate.join(&part.rate);
+        self.body.join(&part.body);
+        self.kinetic_energy += part.kinetic_energy;
+    }
 }

@@ -4,6 +4,7 @@ mod assembly;
 mod backend;
 mod balance;
 mod case;
+mod cell_fields;
 mod checkpoint;
 mod compensated;
 mod compliance;

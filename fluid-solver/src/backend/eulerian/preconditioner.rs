@@ -75,7 +75,7 @@ impl<const D: usize> Preconditioning<D> {
         let nodes = pattern.rows();
         Self {
             schur: Schur::new(pattern.clone(), enclosed),
-            sweep: VelocitySweep::default(),
+            sweep: VelocitySweep::new(pattern),
             multigrid: VelocityMultigrid::new(pattern.clone()),
             is_viscous: false,
             inertia: vec![0.0; nodes],

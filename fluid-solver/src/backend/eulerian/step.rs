@@ -5,6 +5,7 @@ use super::balance::balance_momentum;
 use super::compliance::{Compliance, Given};
 use super::exchange::{Exchange, Part};
 use super::flow::Flow;
+use super::incidence::for_each_node;
 use super::krylov::{StepOperator, split, split_mut};
 use super::matrices::{Matrices, ProductScratch};
 use super::preconditioner::{Preconditioning, Resistances, StepPreconditioner, spacing};
@@ -31,7 +32,7 @@ const ROUND_OFF: f64 = 4e-15;
 const MOST_PRESSED: f64 = 4.0;
 
 /// Scratch of a step, and what its solution leaves for the ledger.
-pub struct Workspace<const D: usize> {
+pub struct Workspace<const D: usize, const N: usize> {
     /// The system.
     pub matrices: Matrices<D>,
     /// Its approximate inverse.
@@ -48,14 +49,14 @@ pub struct Workspace<const D: usize> {
     pub felt_velocity: Vec<Vector<D>>,
     pub felt_pressure: Vec<f64>,
     compliance: Vec<Compliance>,
-    assembly: AssemblyScratch<D>,
+    assembly: AssemblyScratch<D, N>,
     krylov: FlexibleGmres,
     drag_density: Vec<f64>,
     increment: Vec<f64>,
     product: ProductScratch<D>,
 }
 
-impl<const D: usize> Workspace<D> {
+impl<const D: usize, const N: usize> Workspace<D, N> {
     /// For the nodes of a pattern; `enclosed` if nothing can leave.
     pub fn new(pattern: &Arc<Pattern>, enclosed: bool) -> Self {
         let nodes = pattern.rows();
@@ -71,7 +72,7 @@ impl<const D: usize> Workspace<D> {
             felt_velocity: vec![[0.0; D]; nodes],
             felt_pressure: vec![0.0; nodes],
             compliance: Vec::new(),
-            assembly: AssemblyScratch::default(),
+            assembly: AssemblyScratch::new(),
             krylov: FlexibleGmres::new(unknowns, restart),
             drag_density: vec![0.0; nodes],
             increment: vec![0.0; unknowns],
@@ -182,11 +183,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// Adds to (u, p) what makes the residual small, then the constant that makes its sum vanish.
     fn improve(&mut self, rule: TimeRule, step: Step) -> Result<u64, FluidError> {
+        let (inertia, round_off) = (self.inertia_scale(), self.round_off());
         let measure = self.mesh.measure();
         let drag = vector::dot(&self.work.drag_density, measure) / vector::sum(measure);
         let resistance = rule.new * self.properties.density + drag;
         let spacing = spacing(&self.mesh);
-        let (inertia, round_off) = (self.inertia_scale(), self.round_off());
         let Workspace { matrices, preconditioning, krylov, right, increment, rows, product, .. } =
             &mut self.work;
         let operator = StepOperator {
@@ -225,7 +226,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let (du, dp) = split::<D>(increment);
         vector::axpy(1.0, du.as_flattened(), state.velocity.as_flattened_mut());
         vector::axpy(1.0, dp, &mut state.pressure);
-        balance_momentum(&operator, &mut state.velocity, &state.pressure, rows, increment);
+        balance_momentum(&operator, &mut state.velocity, &state.pressure, rows);
         Ok(outcome.iterations as u64)
     }
 
@@ -236,18 +237,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     }
 
     /// The part of the residual that is round-off: a share of the norm of Σ_j|G_ij p_j| + |f_i| (N).
-    fn round_off(&self) -> f64 {
-        let matrices = &self.work.matrices;
-        let square = |i: usize| {
-            let row = matrices.pattern.row(i).iter().zip(&matrices.coupling[matrices.pattern.slots(i)]);
-            let mut sizes = matrices.right[i].force.map(f64::abs);
-            for (&j, entry) in row {
-                for k in 0..D {
-                    sizes[k] += (entry.gradient[k] * self.state.pressure[j as usize]).abs();
-                }
-            }
-            dot(&sizes, &sizes)
-        };
-        ROUND_OFF * (0..self.mesh.node_count()).map(square).sum::<f64>().sqrt()
+    fn round_off(&mut self) -> f64 {
+        let Workspace { matrices, increment, .. } = &mut self.work;
+        let (sizes, _) = split_mut::<D>(increment);
+        for_each_node(sizes, |i, size| *size = matrices.force_size(i, &self.state.pressure));
+        ROUND_OFF * vector::norm(sizes.as_flattened())
     }
 }

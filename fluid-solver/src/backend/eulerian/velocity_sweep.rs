@@ -1,21 +1,54 @@
 //! Gauss–Seidel sweeps for the velocity block A + d.
 
-use super::incidence::ROWS;
 use crate::boundary::Constraints;
 use crate::element::simplex::Vector;
-use linear::BlockCsr;
 use linear::dense::{self, Block};
+use linear::{BlockCsr, Pattern};
 use rayon::prelude::*;
+use std::ops::Range;
+
+/// Rows of a chunk: the longer, the fewer iterations.
+const ROWS: usize = 1024;
 
 /// One forward and one backward block Gauss–Seidel sweep, each chunk of rows on its own.
 ///
 /// Constrained components stay zero.
-#[derive(Debug, Default)]
 pub struct VelocitySweep<const D: usize> {
+    rows: Vec<RowSlots>,
     inverse: Vec<Block<D>>,
 }
 
+/// Slots of a row whose columns are in the row's own chunk.
+struct RowSlots {
+    first: u32,
+    diagonal: u32,
+    end: u32,
+}
+
+impl RowSlots {
+    fn lower(&self) -> Range<usize> {
+        self.first as usize..self.diagonal as usize
+    }
+
+    fn upper(&self) -> Range<usize> {
+        self.diagonal as usize + 1..self.end as usize
+    }
+}
+
 impl<const D: usize> VelocitySweep<D> {
+    /// To be refreshed before use.
+    pub fn new(pattern: &Pattern) -> Self {
+        let rows = (0..pattern.rows()).map(|row| {
+            let chunk = row / ROWS * ROWS;
+            let slot = |bound: usize| {
+                let before = pattern.row(row).partition_point(|&column| (column as usize) < bound);
+                (pattern.slots(row).start + before) as u32
+            };
+            RowSlots { first: slot(chunk), diagonal: slot(row), end: slot(chunk + ROWS) }
+        });
+        Self { rows: rows.collect(), inverse: Vec::new() }
+    }
+
     /// Inverts the diagonal blocks P(A_ii + d_i)P on the free directions.
     ///
     /// # Errors
@@ -27,10 +60,9 @@ impl<const D: usize> VelocitySweep<D> {
         constraints: &Constraints<D>,
     ) -> Result<(), linear::Error> {
         self.inverse.clear();
-        let diagonal = a.pattern().diagonal_slots()?;
         let mut constrained = constraints.nodes().iter().peekable();
-        for (row, &slot) in diagonal.iter().enumerate() {
-            let mut block = a.blocks()[slot as usize];
+        for (row, slots) in self.rows.iter().enumerate() {
+            let mut block = a.blocks()[slots.diagonal as usize];
             for (k, line) in block.iter_mut().enumerate() {
                 line[k] += drag[row];
             }
@@ -50,13 +82,13 @@ impl<const D: usize> VelocitySweep<D> {
             let first = chunk * ROWS;
             let last = first + z.len();
             for i in first..last {
-                let lower = inner_product(a, i, first..i, first, z);
+                let lower = inner_product(a, self.rows[i].lower(), first, z);
                 let right = std::array::from_fn(|k| r[i][k] - lower[k]);
                 z[i - first] = dense::multiply(&self.inverse[i], &right);
             }
             for i in (first..last).rev() {
                 // After the forward sweep r − L z = D z, so only U is needed here.
-                let upper = inner_product(a, i, i + 1..last, first, z);
+                let upper = inner_product(a, self.rows[i].upper(), first, z);
                 let step = dense::multiply(&self.inverse[i], &upper);
                 let z = &mut z[i - first];
                 *z = std::array::from_fn(|k| z[k] - step[k]);
@@ -65,20 +97,16 @@ impl<const D: usize> VelocitySweep<D> {
     }
 }
 
-/// Σ_j A_ij z_j over the columns j in a range, z beginning at column `first`.
+/// Σ_j A_ij z_j over a range of slots, z beginning at column `first`.
 fn inner_product<const D: usize>(
     a: &BlockCsr<D>,
-    i: usize,
-    range: std::ops::Range<usize>,
+    slots: Range<usize>,
     first: usize,
     z: &[Vector<D>],
 ) -> Vector<D> {
-    let (columns, blocks) = a.row(i);
     let mut sum = [0.0; D];
-    for (&j, block) in columns.iter().zip(blocks) {
-        if range.contains(&(j as usize)) {
-            dense::multiply_add(block, &z[j as usize - first], &mut sum);
-        }
+    for (&j, block) in a.pattern().columns_at(slots.clone()).iter().zip(&a.blocks()[slots]) {
+        dense::multiply_add(block, &z[j as usize - first], &mut sum);
     }
     sum
 }
