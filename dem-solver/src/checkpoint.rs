@@ -13,6 +13,7 @@ use crate::insertion::{Feed, Random};
 use crate::scene::Scene;
 use crate::search::{candidate, complete, incoming};
 use crate::vector::{Spin, Vector};
+use crate::wall::{Received, WallImpulse};
 use crate::world::World;
 
 const KIND: &str = "dem-solver";
@@ -23,6 +24,8 @@ struct Metadata {
     time: f64,
     born: u64,
     removed: u64,
+    list_time: f64,
+    walls_since: f64,
     skin: f64,
     valid: bool,
     built_since_order: u32,
@@ -51,6 +54,8 @@ impl<const D: usize> World<D> {
             time: self.time,
             born: self.born,
             removed: self.removed,
+            list_time: self.list_time,
+            walls_since: self.received.since,
             skin: contacts.skin,
             valid: contacts.valid,
             built_since_order: contacts.built_since_order,
@@ -75,6 +80,8 @@ impl<const D: usize> World<D> {
         let remembered: Vec<u32> = chunks().flat_map(|c| &c.remembered).flat_map(|r| [r.i, r.j]).collect();
         let remembered_springs: Vec<f64> =
             chunks().flat_map(|c| &c.remembered).flat_map(|r| spring_floats(&r.spring)).collect();
+        let received: Vec<f64> =
+            self.received.impulse.iter().flat_map(|wall| floats(&wall.linear, wall.angular.into())).collect();
         CheckpointWriter::new(KIND, &metadata)
             .array("id", &grains.id)
             .array("place", &place)
@@ -90,6 +97,7 @@ impl<const D: usize> World<D> {
             .array("wall springs", &wall_springs)
             .array("remembered", &remembered)
             .array("remembered springs", &remembered_springs)
+            .array("received", &received)
             .write(path)?;
         Ok(())
     }
@@ -112,8 +120,13 @@ impl<const D: usize> World<D> {
         let contacts = read_contacts(&file, &metadata, scene, &grains)?;
         let contacts = contacts.ok_or_else(|| foreign("its contacts do not fit the grains and walls"))?;
         let feeds = resume(feeds, metadata.feeds).ok_or_else(|| foreign("its insertions are others"))?;
-        let Metadata { time, born, removed, .. } = metadata;
-        Ok(Self { time, grains, contacts, born, removed, feeds })
+        let impulse = file.array::<f64>("received")?;
+        let impulse = impulse
+            .chunks_exact(D + 3)
+            .map(|row| WallImpulse { linear: vector(row), angular: Spin::from_column_slice(&row[D..]) });
+        let Metadata { time, list_time, walls_since, born, removed, .. } = metadata;
+        let received = Received { since: walls_since, impulse: impulse.collect() };
+        Ok(Self { time, grains, contacts, list_time, received, born, removed, feeds })
     }
 }
 

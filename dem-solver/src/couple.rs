@@ -77,7 +77,7 @@ impl<const D: usize> DemParticipant<D> {
     pub fn resume(&mut self, folder: &Path) -> Result<(), DemError> {
         let feeds = std::mem::take(&mut self.world.feeds);
         self.world = World::read_checkpoint(&folder.join(PART), &self.scene, feeds)?;
-        self.record.resume(self.world.time)
+        self.record.resume(&self.scene.walls, self.world.time)
     }
 
     fn publish_grains(&mut self, iteration: u32, time: f64, order_changed: bool) -> Result<(), DemError> {
@@ -131,7 +131,8 @@ impl<const D: usize> DemParticipant<D> {
 
     fn commit_window(&mut self, commit: &Commit) -> Result<Committed, DemError> {
         if commit.series {
-            self.record.row(&self.world)?;
+            self.record.row(&self.scene.walls, &self.world)?;
+            self.world.received.restart(self.world.time);
         }
         if let Some(number) = commit.frame {
             self.record.frame(&self.world, number)?;
@@ -162,7 +163,7 @@ impl<const D: usize> Participant for DemParticipant<D> {
 
     fn ready(&mut self) -> Result<Ready, Failure> {
         if self.world.time == 0.0 {
-            self.record.start(&self.world).map_err(Failure::from)?;
+            self.record.start(&self.scene.walls, &self.world).map_err(Failure::from)?;
         }
         let size = self.world.grains.len() as u64;
         let critical = critical_time_step(&self.scene, &self.world);

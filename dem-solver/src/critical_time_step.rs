@@ -114,6 +114,7 @@ fn stiffness<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -
         let tangential = coefficients.tangential_stiffness * N::growth(overlap).stiffness;
         N::slope(coefficients, overlap).max(if rubs { rolling * tangential } else { 0.0 })
     };
+    let walls = scene.walls.poses(world.time);
     let mut sums = vec![0.0; place.len()];
     for Chunk { pairs, coefficients, candidates, .. } in &world.contacts.chunks {
         for (pair, coefficients) in pairs.iter().zip(coefficients) {
@@ -129,8 +130,7 @@ fn stiffness<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -
         for candidate in candidates {
             let grain = &place[candidate.grain as usize];
             let centre = grain.centre - scene.shifts[candidate.image.0 as usize];
-            let overlap =
-                grain.radius - scene.walls.surfaces[candidate.surface as usize].nearest(&centre).distance;
+            let overlap = grain.radius - scene.walls.nearest(candidate.surface, &centre, &walls).distance;
             if overlap > 0.0 {
                 sums[candidate.grain as usize] += of_contact(&candidate.coefficients, overlap);
             }

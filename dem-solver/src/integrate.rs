@@ -91,7 +91,7 @@ pub fn advance<const D: usize>(
     flight: f64,
 ) {
     let World { grains, contacts, .. } = world;
-    let Workspace { chunks: scratches, loads, relaxation, impulse } = workspace;
+    let Workspace { chunks: scratches, loads, relaxation, impulse, .. } = workspace;
     let inputs = Inputs {
         scene,
         id: &grains.id,

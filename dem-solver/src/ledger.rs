@@ -6,6 +6,7 @@ use interface::ledger::GrainLedger;
 use crate::grains::Motion;
 use crate::scene::Scene;
 use crate::vector::{Spin, Vector, embed, restrict};
+use crate::wall::WallImpulse;
 use crate::workspace::Workspace;
 use crate::world::World;
 
@@ -42,8 +43,8 @@ pub struct Ledger<const D: usize> {
     pub kinetic_energy: f64,
     /// Potential energy -Σ m g·x.
     pub potential_energy: f64,
-    /// Impulse given to each wall.
-    pub wall_impulse: Vec<Vector<D>>,
+    /// What each wall received.
+    pub wall_impulse: Vec<WallImpulse<D>>,
 }
 
 impl<const D: usize> Ledger<D> {
@@ -109,14 +110,14 @@ impl<const D: usize> Ledger<D> {
                 }
             }
         }
-        self.wall_impulse = vec![Vector::zeros(); scene.walls.len()];
+        self.wall_impulse = vec![WallImpulse::zero(); scene.walls.len()];
         for chunk in &workspace.chunks {
             self.frozen -= chunk.frozen_impulse;
-            for (total, impulse) in self.wall_impulse.iter_mut().zip(&chunk.wall_impulse) {
+            for (total, &impulse) in self.wall_impulse.iter_mut().zip(&chunk.wall_impulse) {
                 *total += impulse;
             }
         }
-        self.walls = -self.wall_impulse.iter().sum::<Vector<D>>();
+        self.walls = -self.wall_impulse.iter().map(|wall| wall.linear).sum::<Vector<D>>();
         self.scale += self.walls.norm() + self.frozen.norm();
     }
 

@@ -1,7 +1,8 @@
-//! What the grains leave on disk: `series/grains.csv`, `frames/grains-N.vtp`.
+//! What the grains leave on disk: `series/grains.csv`, `series/walls.csv`, `frames/grains-N.vtp`.
 
 use crate::error::DemError;
 use crate::vector::embed;
+use crate::wall::Walls;
 use crate::world::World;
 use case_io::output::series::{SeriesWriter, cut_after};
 use case_io::output::vtk::{Collection, Compression, Field, Format, GrainPoints, Precision};
@@ -28,6 +29,8 @@ pub struct Record {
     /// Whether the initial state is a frame.
     films_start: bool,
     series: Option<SeriesWriter>,
+    /// Only where there is a wall.
+    walls: Option<SeriesWriter>,
     frames: Option<Collection>,
 }
 
@@ -36,22 +39,28 @@ impl Record {
     pub fn new(out: &Path, compress: bool, films_start: bool) -> Record {
         let compression = if compress { Compression::Lz4 } else { Compression::None };
         let format = Format { precision: Precision::Single, compression };
-        Record { out: out.to_path_buf(), format, films_start, series: None, frames: None }
+        Record { out: out.to_path_buf(), format, films_start, series: None, walls: None, frames: None }
     }
 
-    fn paths(&self) -> (PathBuf, PathBuf) {
-        (self.out.join("series/grains.csv"), self.out.join("frames/grains.pvd"))
+    fn paths(&self) -> [PathBuf; 3] {
+        ["series/grains.csv", "series/walls.csv", "frames/grains.pvd"].map(|path| self.out.join(path))
     }
 
     /// Starts the series, and the frames if they are wanted in time, with the initial state.
     ///
     /// # Errors
     /// The disk's.
-    pub fn start<const D: usize>(&mut self, world: &World<D>) -> Result<(), DemError> {
-        let (series, frames) = self.paths();
+    pub fn start<const D: usize>(&mut self, walls: &Walls<D>, world: &World<D>) -> Result<(), DemError> {
+        let [series, of_walls, frames] = self.paths();
         self.series = Some(SeriesWriter::create(&series, &TITLES)?);
         self.frames = Some(Collection::create(&frames)?);
-        self.row(world)?;
+        // Of walls there are means over intervals: none ends here.
+        self.grain_row(world)?;
+        if !walls.is_empty() {
+            let titles = wall_titles(walls);
+            let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
+            self.walls = Some(SeriesWriter::create(&of_walls, &titles)?);
+        }
         if self.films_start { self.frame(world, 0) } else { Ok(()) }
     }
 
@@ -59,21 +68,45 @@ impl Record {
     ///
     /// # Errors
     /// The disk's, or files of another program.
-    pub fn resume(&mut self, time: f64) -> Result<(), DemError> {
-        let (series, frames) = self.paths();
+    pub fn resume<const D: usize>(&mut self, walls: &Walls<D>, time: f64) -> Result<(), DemError> {
+        let [series, of_walls, frames] = self.paths();
         cut_after(&series, time)?;
         self.series = Some(SeriesWriter::append(&series, &TITLES)?);
+        if !walls.is_empty() {
+            let titles = wall_titles(walls);
+            let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
+            cut_after(&of_walls, time)?;
+            self.walls = Some(SeriesWriter::append(&of_walls, &titles)?);
+        }
         let mut collection = Collection::open(&frames)?;
         collection.truncate_after(time)?;
         self.frames = Some(collection);
         Ok(())
     }
 
-    /// Appends the means over all grains: place, velocity (not weighted), and what is largest.
+    /// Appends a row of the grains and one of the walls.
     ///
     /// # Errors
     /// The disk's.
-    pub fn row<const D: usize>(&mut self, world: &World<D>) -> Result<(), DemError> {
+    pub fn row<const D: usize>(&mut self, walls: &Walls<D>, world: &World<D>) -> Result<(), DemError> {
+        self.grain_row(world)?;
+        self.wall_row(walls, world)
+    }
+
+    /// Force and torque of the grains on each wall, means over the time since the last row.
+    fn wall_row<const D: usize>(&mut self, walls: &Walls<D>, world: &World<D>) -> Result<(), DemError> {
+        let Some(series) = &mut self.walls else { return Ok(()) };
+        let duration = world.time - world.received.since;
+        let mut row = vec![world.time];
+        for (impulse, point) in world.received.impulse.iter().zip(&walls.torque_about) {
+            row.extend(&(embed(&impulse.linear) / duration));
+            row.extend(&(impulse.about(point) / duration));
+        }
+        Ok(series.row(&row)?)
+    }
+
+    /// Means over all grains: place, velocity (not weighted), and what is largest.
+    fn grain_row<const D: usize>(&mut self, world: &World<D>) -> Result<(), DemError> {
         let Some(series) = &mut self.series else { return Ok(()) };
         let grains = &world.grains;
         let count = grains.len() as f64;
@@ -124,4 +157,13 @@ impl Record {
         points.write(&self.out.join("frames").join(&name), self.format)?;
         Ok(frames.push(world.time, &name)?)
     }
+}
+
+/// Force f and torque t, three components each.
+fn wall_titles<const D: usize>(walls: &Walls<D>) -> Vec<String> {
+    let of_wall = |name: &String| {
+        let title = |(quantity, unit): (&str, &str)| format!("{name}-{quantity}[{unit}]");
+        [("fx", "N"), ("fy", "N"), ("fz", "N"), ("tx", "N m"), ("ty", "N m"), ("tz", "N m")].map(title)
+    };
+    std::iter::once("t[s]".to_string()).chain(walls.names.iter().flat_map(of_wall)).collect()
 }

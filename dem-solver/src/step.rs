@@ -27,7 +27,7 @@ pub fn step<const D: usize>(
     flight: f64,
 ) -> Result<(), DemError> {
     if list_expired(scene, world, workspace) {
-        build_list(scene, world)?;
+        build_list(scene, world, workspace.time)?;
     }
     forces(scene, world, workspace, step);
     advance(scene, world, workspace, hydro, step, flight);

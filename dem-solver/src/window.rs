@@ -38,11 +38,13 @@ pub fn window<const D: usize>(
     rayon::scope(|_| {
         drift(world, workspace, 0.5 * dt);
         (1..=substeps).try_for_each(|k| {
+            workspace.enter(scene, world.time + (f64::from(k) - 0.5) * dt);
             step(scene, world, workspace, hydro, dt, if k < substeps { dt } else { 0.5 * dt })
         })
     })?;
     world.time += duration;
     ledger.close(scene, world, workspace, hydro, duration);
+    world.received.add(&ledger.wall_impulse);
     Ok(ledger)
 }
 

@@ -4,7 +4,9 @@ use crate::contact::{CHUNK, Load, Pressed, WallContact, chunk_count};
 use crate::fault::Fault;
 use crate::integrate::Displacement;
 use crate::relaxation::Relaxation;
+use crate::scene::Scene;
 use crate::vector::Vector;
+use crate::wall::{Poses, WallImpulse};
 use crate::world::World;
 
 /// What a grain received so far in the window.
@@ -28,8 +30,8 @@ impl<const D: usize> Impulse<D> {
 pub struct ChunkScratch<const D: usize> {
     /// Loads on the chunk's rows, joined.
     pub total: Vec<Load<D>>,
-    /// Impulse given to each wall in this window \[N s\].
-    pub wall_impulse: Vec<Vector<D>>,
+    /// What each wall received in this window.
+    pub wall_impulse: Vec<WallImpulse<D>>,
     /// Impulse given to frozen grains by contacts in this window \[N s\].
     pub frozen_impulse: Vector<D>,
     /// How far the chunk's grains are from where the neighbour list saw them.
@@ -59,6 +61,10 @@ impl<const D: usize> ChunkScratch<D> {
 /// All scratch.
 #[derive(Clone, Debug)]
 pub struct Workspace<const D: usize> {
+    /// Time in the middle of the present substep \[s\].
+    pub time: f64,
+    /// Where the walls are at that time.
+    pub walls: Poses<D>,
     /// By chunk of grains.
     pub chunks: Vec<ChunkScratch<D>>,
     /// By chunk: loads on its rows and, behind them, on its overhang.
@@ -72,7 +78,14 @@ pub struct Workspace<const D: usize> {
 impl<const D: usize> Workspace<D> {
     /// Empty scratch; it grows to what the scene needs.
     pub fn new() -> Self {
-        Self { chunks: vec![], loads: vec![], relaxation: vec![], impulse: vec![] }
+        Self {
+            time: 0.0,
+            walls: Poses::default(),
+            chunks: vec![],
+            loads: vec![],
+            relaxation: vec![],
+            impulse: vec![],
+        }
     }
 
     /// Clean scratch for a window of this world.
@@ -81,12 +94,18 @@ impl<const D: usize> Workspace<D> {
         self.loads.resize_with(self.chunks.len(), Vec::new);
         for chunk in &mut self.chunks {
             chunk.wall_impulse.clear();
-            chunk.wall_impulse.resize(walls, Vector::zeros());
+            chunk.wall_impulse.resize(walls, WallImpulse::zero());
             chunk.frozen_impulse = Vector::zeros();
             chunk.fault = None;
         }
         self.relaxation.clear();
         self.impulse.clear();
+    }
+
+    /// Goes to the middle of a substep, at `time` \[s\].
+    pub fn enter(&mut self, scene: &Scene<D>, time: f64) {
+        self.time = time;
+        self.walls = scene.walls.poses(time);
     }
 
     /// No load on any of so many grains.

@@ -4,6 +4,7 @@ use crate::contact::ContactList;
 use crate::grains::{Grain, Grains, volume};
 use crate::insertion::Feed;
 use crate::scene::Scene;
+use crate::wall::Received;
 
 /// Grains with the memory of their contacts, at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +15,10 @@ pub struct World<const D: usize> {
     pub grains: Grains<D>,
     /// The neighbour list and what contacts remember.
     pub contacts: ContactList<D>,
+    /// When the neighbour list was built \[s\]: it knows the walls as they were then.
+    pub list_time: f64,
+    /// What the walls received since the last row of the series.
+    pub received: Received<D>,
     /// How many grains were ever born: the identity of the next.
     pub born: u64,
     /// How many were ever removed.
@@ -33,6 +38,8 @@ impl<const D: usize> World<D> {
             time: 0.0,
             grains: Grains::new(),
             contacts: ContactList::new(),
+            list_time: 0.0,
+            received: Received::default(),
             born: 0,
             removed: 0,
             feeds: vec![],
@@ -71,6 +78,8 @@ impl<const D: usize> World<D> {
         self.time = other.time;
         self.grains.copy_from(&other.grains);
         self.contacts.copy_from(&other.contacts);
+        self.list_time = other.list_time;
+        self.received.copy_from(&other.received);
         self.born = other.born;
         self.removed = other.removed;
         self.feeds.clone_from(&other.feeds);

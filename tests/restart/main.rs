@@ -3,6 +3,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+use case_io::output::series::Series;
 use std::time::Duration;
 use support::{Folder, Live, assert_same_results, case, coupler, run, signal, stderr, wait_until};
 
@@ -69,6 +70,85 @@ fn a_coupled_run_with_contacts_resumes_to_the_same_bytes() {
     let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
     assert_eq!(resumed.status.code(), Some(4), "{}", stderr(&resumed));
     assert_same_results(&folder.join("through"), &folder.join("stopped"));
+}
+
+const TRAY: &str = r#"
+[case]
+title = "grains on a shaken belt"
+dimension = 3
+gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
+[time]
+end = "40 ms"
+window = "1 ms"
+[output]
+series = "2.5 ms"
+restart = "7 ms"
+frames = "10 ms"
+[materials.glass]
+density = "2500 kg/m^3"
+youngs-modulus = "5 MPa"
+poissons-ratio = 0.3
+[pairs.glass-glass]
+restitution = 0.7
+sliding-friction = 0.4
+[grains]
+normal-law = "hertz"
+domain = { lower = ["-1 m", "-1 m", "-1 m"], upper = ["1 m", "1 m", "1 m"] }
+[[insertion]]
+name = "grains"
+material = "glass"
+diameter = "2 mm"
+lattice = { lower = ["0 m", "0 m", "1 mm"], upper = ["9 mm", "9 mm", "6 mm"], spacing = "2.1 mm" }
+[[wall]]
+name = "belt"
+material = "glass"
+plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 1] }
+torque-about = ["5 mm", "5 mm", "0 m"]
+[wall.motion]
+translation = ["0.2 m/s", "0 m/s", "0 m/s"]
+oscillation = { direction = [0, 0, 1], amplitude = "0.5 mm", frequency = "60 Hz" }
+[[wall]]
+name = "paddle"
+material = "glass"
+plane = { point = ["-2 mm", "0 m", "0 m"], normal = [1, 0, 0] }
+motion = { rotation = { axis = [0, 0, 1], point = ["-2 mm", "4 mm", "0 m"], rate = "15 rad/s" } }
+"#;
+
+/// The rows of walls.csv are means over intervals that a restart point cuts.
+#[test]
+fn walls_in_motion_resume_to_the_same_bytes_and_receive_what_the_grains_lose() {
+    let folder = Folder::new();
+    let case = folder.write("case/case.toml", TRAY);
+    let through = run(&case, &folder.join("through"), &[], &[]);
+    assert!(through.status.success(), "{}", stderr(&through));
+    let mut live = Live::start(&case, &folder.join("killed"), &[], &["--hold", "dem-solver:17:commit"]);
+    live.wait_held();
+    for pid in live.solvers().iter().map(|(pid, _)| *pid).chain([live.child.id()]) {
+        signal(pid, "KILL");
+    }
+    live.exit_code(Duration::from_secs(5));
+    let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
+    assert!(resumed.status.success(), "{}", stderr(&resumed));
+    assert_same_results(&folder.join("through"), &folder.join("killed"));
+
+    let series =
+        |name: &str| Series::read(&folder.join("through").join(format!("series/{name}.csv"))).unwrap();
+    let (walls, grains) = (series("walls"), series("grains"));
+    let column = |series: &Series, name: &str| series.column(name).unwrap().values.clone();
+    let times = column(&walls, "t");
+    let mass = column(&grains, "count")[0] * 2500.0 * 4.0 / 3.0 * std::f64::consts::PI * 1e-9;
+    for (axis, gravity) in [("x", 0.0), ("z", -9.81)] {
+        let force = |wall: &str| column(&walls, &format!("{wall}-f{axis}"));
+        let sum =
+            force("belt").iter().zip(force("paddle")).map(|(belt, paddle)| belt + paddle).collect::<Vec<_>>();
+        let starts = std::iter::once(0.0).chain(times.iter().copied());
+        let received: f64 =
+            sum.iter().zip(times.iter().zip(starts)).map(|(f, (end, start))| f * (end - start)).sum();
+        let momentum = mass * column(&grains, &format!("v{axis}")).last().unwrap();
+        let lost = mass * gravity * times.last().unwrap() - momentum;
+        assert!(received.abs() > 1e-6, "{axis}: {received} N s");
+        assert!((received - lost).abs() < 1e-11 * received.abs(), "{axis}: {received} of {lost} N s");
+    }
 }
 
 #[test]

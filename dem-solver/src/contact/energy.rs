@@ -19,6 +19,7 @@ pub fn stored_energy<const D: usize>(scene: &Scene<D>, world: &World<D>) -> f64 
 
 fn by_law<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -> f64 {
     let place = &world.grains.place;
+    let walls = scene.walls.poses(world.time);
     let tangential = |spring: &Spring<D>| 0.5 * spring.stiffness * spring.elongation.norm_squared();
     let (mut energy, mut pressed) = (0.0, Vec::new());
     for chunk in &world.contacts.chunks {
@@ -32,7 +33,7 @@ fn by_law<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -> f
         }
         for candidates in chunk.candidates.chunk_by(|a, b| a.grain == b.grain) {
             let grain = &place[candidates[0].grain as usize];
-            pressed_surfaces(scene, grain, candidates, &mut pressed);
+            pressed_surfaces(scene, grain, candidates, &walls, &mut pressed);
             energy += pressed
                 .iter()
                 .map(|surface| {

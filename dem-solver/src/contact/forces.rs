@@ -11,6 +11,7 @@ use super::tangential::{Coulomb, Frictionless, LiggghtsHistory, Tangential};
 use super::walls::wall_forces;
 use crate::scene::Scene;
 use crate::vector::{Spin, Vector};
+use crate::wall::Poses;
 use crate::workspace::{ChunkScratch, Workspace};
 use crate::world::World;
 
@@ -47,6 +48,8 @@ pub struct ChunkForces<'a, const D: usize> {
     pub chunk: &'a mut Chunk<D>,
     /// Loads on its rows and its overhang.
     pub loads: &'a mut Vec<Load<D>>,
+    /// Where the walls are.
+    pub walls: &'a Poses<D>,
     /// Its scratch.
     pub scratch: &'a mut ChunkScratch<D>,
 }
@@ -95,13 +98,14 @@ fn by_law<const D: usize, N: Normal<D>, T: Tangential<D>>(
 ) {
     let World { grains, contacts, .. } = world;
     let (grains, shifts) = (&*grains, &scene.shifts);
-    let Workspace { chunks: scratches, loads, .. } = workspace;
+    let Workspace { walls, chunks: scratches, loads, .. } = workspace;
+    let walls = &*walls;
     let chunks = contacts.chunks.par_iter_mut().zip(loads).zip(scratches).enumerate();
     chunks.for_each(|(index, ((chunk, loads), scratch))| {
         let rows = CHUNK.min(grains.len() - index * CHUNK);
         loads.clear();
         loads.resize(rows + chunk.overhang.len(), Load::zero());
-        let mut task = ChunkForces { index, chunk, loads, scratch };
+        let mut task = ChunkForces { index, chunk, loads, walls, scratch };
         pair_forces::<D, N, T>(grains, shifts, &mut task, step);
         wall_forces::<D, N, T>(scene, grains, &mut task, step);
     });

@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::grains::{Grains, Place};
 use crate::scene::Scene;
 use crate::vector::{Vector, moment, spin_velocity};
-use crate::wall::Nearest;
+use crate::wall::{Nearest, Poses, WallImpulse};
 
 /// A contact inherits the spring of one with the same wall in the last step whose normal is within 30°.
 const SAME_CONTACT: f64 = 0.866;
@@ -43,7 +43,7 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential<D>>(
     for candidates in task.chunk.candidates.chunk_by(|a, b| a.grain == b.grain) {
         let row = candidates[0].grain;
         let place = &grains.place[row as usize];
-        pressed_surfaces(scene, place, candidates, &mut scratch.pressed);
+        pressed_surfaces(scene, place, candidates, task.walls, &mut scratch.pressed);
         old = &old[old.partition_point(|contact| contact.grain < row)..];
         let of_grain = &old[..old.partition_point(|contact| contact.grain == row)];
         for pressed in &scratch.pressed {
@@ -56,13 +56,17 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential<D>>(
             let overlap = place.radius - pressed.nearest.distance;
             let arm = normal * N::arm(place.radius, overlap, f64::INFINITY);
             let motion = &grains.motion[row as usize];
-            let velocity = motion.velocity + spin_velocity(&motion.angular_velocity, &arm);
+            let point = place.centre - scene.shifts[pressed.candidate.image.0 as usize] + arm;
+            let mut velocity = motion.velocity + spin_velocity(&motion.angular_velocity, &arm);
+            if let Some(pose) = task.walls.of(pressed.wall) {
+                velocity -= pose.velocity_at(&point);
+            }
             let touch = Touch { normal, overlap, velocity };
             let mut spring =
                 if T::REMEMBERS { inherited(of_grain, pressed.wall, &normal) } else { Spring::relaxed() };
             let force = touch_force::<D, N, T>(&pressed.candidate.coefficients, &touch, &mut spring, step);
             task.loads[row as usize - first] += Load { force, torque: moment(&arm, &force) };
-            scratch.wall_impulse[pressed.wall as usize] -= force * step;
+            scratch.wall_impulse[pressed.wall as usize] += WallImpulse::at(&point, -force * step);
             if T::REMEMBERS {
                 task.chunk.wall_contacts.push(WallContact { grain: row, wall: pressed.wall, normal, spring });
             }
@@ -75,12 +79,14 @@ pub fn pressed_surfaces<const D: usize>(
     scene: &Scene<D>,
     place: &Place<D>,
     candidates: &[Candidate],
+    walls: &Poses<D>,
     pressed: &mut Vec<Pressed<D>>,
 ) {
     pressed.clear();
     pressed.extend(candidates.iter().filter_map(|&candidate| {
         let surface = &scene.walls.surfaces[candidate.surface as usize];
-        let nearest = surface.nearest(&(place.centre - scene.shifts[candidate.image.0 as usize]));
+        let centre = place.centre - scene.shifts[candidate.image.0 as usize];
+        let nearest = scene.walls.nearest(candidate.surface, &centre, walls);
         (nearest.distance < place.radius).then_some(Pressed { nearest, candidate, wall: surface.wall })
     }));
     keep_distinct(pressed, place.radius);

@@ -4,6 +4,8 @@ use crate::domain::Domain;
 use crate::grains::Place;
 use crate::scene::Scene;
 use crate::vector::Vector;
+use crate::wall::Poses;
+use crate::world::World;
 
 /// No more cells than this.
 const MOST_CELLS: f64 = 1e7;
@@ -14,6 +16,7 @@ const NONE: u32 = u32::MAX;
 #[derive(Clone, Debug)]
 pub struct Occupancy<'a, const D: usize> {
     scene: &'a Scene<D>,
+    walls: Poses<D>,
     lower: Vector<D>,
     width: f64,
     counts: [usize; D],
@@ -23,14 +26,15 @@ pub struct Occupancy<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Occupancy<'a, D> {
-    /// The grains of `present` that reach into the box, for newcomers of at most this radius \[m\].
+    /// Walls and grains of the world that reach into the box, for newcomers of at most this radius \[m\].
     pub fn new(
         scene: &'a Scene<D>,
         lower: Vector<D>,
         upper: Vector<D>,
-        present: &[Place<D>],
+        world: &World<D>,
         radius: f64,
     ) -> Self {
+        let present = &world.grains.place;
         let largest = present.iter().map(|place| place.radius).fold(radius, f64::max);
         let extent: Vector<D> = upper - lower;
         let number =
@@ -41,7 +45,8 @@ impl<'a, const D: usize> Occupancy<'a, D> {
         }
         let counts: [usize; D] = std::array::from_fn(|axis| ((extent[axis] / width).ceil() as usize).max(1));
         let first = vec![NONE; counts.iter().product()];
-        let mut occupancy = Self { scene, lower, width, counts, first, next: vec![], places: vec![] };
+        let walls = scene.walls.poses(world.time);
+        let mut occupancy = Self { scene, walls, lower, width, counts, first, next: vec![], places: vec![] };
         for place in present {
             occupancy.take(*place);
         }
@@ -84,9 +89,11 @@ impl<'a, const D: usize> Occupancy<'a, D> {
 
     fn is_free_of_walls(&self, place: &Place<D>) -> bool {
         let mut near = Vec::new();
-        self.scene.walls.planes_near(&place.centre, place.radius, &mut near);
-        self.scene.walls.facets_near(&place.centre, place.radius, &mut near);
-        near.is_empty()
+        let walls = &self.scene.walls;
+        walls.planes_near(&place.centre, place.radius, &self.walls, &mut near);
+        walls.facets_near(&place.centre, place.radius, &self.walls, &mut near);
+        let distance = |&surface: &u32| walls.nearest(surface, &place.centre, &self.walls).distance;
+        near.iter().all(|surface| distance(surface) >= place.radius)
     }
 
     fn take(&mut self, place: Place<D>) {

@@ -46,8 +46,7 @@ impl<const D: usize> RandomBox<D> {
         random: &mut Random,
     ) -> Result<(), DemError> {
         let radii = self.radii(scene, batch, random);
-        let mut occupancy =
-            Occupancy::new(scene, self.lower, self.upper, &world.grains.place, batch.sizes.largest);
+        let mut occupancy = Occupancy::new(scene, self.lower, self.upper, world, batch.sizes.largest);
         for (fitted, &radius) in radii.iter().enumerate() {
             let place = (0..MOST_MISSES).find_map(|_| {
                 let place =

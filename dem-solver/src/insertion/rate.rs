@@ -59,8 +59,7 @@ impl<const D: usize> Feed<D> {
             return;
         }
         let density = scene.materials.get(self.batch.material).density;
-        let mut occupancy =
-            Occupancy::new(scene, self.lower, self.upper, &world.grains.place, self.batch.sizes.largest);
+        let mut occupancy = Occupancy::new(scene, self.lower, self.upper, world, self.batch.sizes.largest);
         loop {
             let radius = self.waiting.take().unwrap_or_else(|| self.batch.sizes.draw(&mut self.random));
             let share = match self.flow {

@@ -9,6 +9,7 @@ use crate::error::DemError;
 use crate::grains::Grains;
 use crate::integrate::Displacement;
 use crate::scene::Scene;
+use crate::wall::Poses;
 use crate::workspace::Workspace;
 use crate::world::World;
 
@@ -21,17 +22,21 @@ pub fn list_expired<const D: usize>(scene: &Scene<D>, world: &World<D>, workspac
         return false;
     }
     let mut displacement = workspace.displacement();
+    let mut of_walls = 0.0;
     if !scene.walls.is_empty() {
         displacement = displacement.joined(&Displacement::of_rest());
+        of_walls = scene.walls.largest_approach(&scene.walls.poses(world.list_time), &workspace.walls);
     }
-    !world.contacts.valid || displacement.largest_approach() >= world.contacts.skin
+    !world.contacts.valid || displacement.largest_approach() + of_walls >= world.contacts.skin
 }
 
-/// Builds the list anew; springs of touching pairs go from the old list to the new one.
+/// Builds the list anew, the walls in their poses at `time` \[s\]; springs of touching pairs go from the old list to the new one.
 ///
 /// # Errors
 /// A periodic axis that is too short for a grain to see each neighbour once.
-pub fn build_list<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Result<(), DemError> {
+pub fn build_list<const D: usize>(scene: &Scene<D>, world: &mut World<D>, time: f64) -> Result<(), DemError> {
+    world.list_time = time;
+    let poses = scene.walls.poses(time);
     let World { grains, contacts, .. } = world;
     for place in &mut grains.place {
         place.centre = scene.domain.wrapped(&place.centre);
@@ -58,7 +63,7 @@ pub fn build_list<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Res
     contacts.chunks.par_iter_mut().enumerate().for_each(|(index, chunk)| {
         chunk.stow();
         find_pairs(scene, grains, &cells, skin, index, chunk);
-        find_candidates(scene, grains, skin, index, chunk);
+        find_candidates(scene, grains, &poses, skin, index, chunk);
     });
     contacts.incoming = incoming(&contacts.chunks);
     contacts.valid = true;
@@ -135,6 +140,7 @@ fn recall<const D: usize>(chunk: &mut Chunk<D>) {
 fn find_candidates<const D: usize>(
     scene: &Scene<D>,
     grains: &Grains<D>,
+    poses: &Poses<D>,
     skin: f64,
     index: usize,
     chunk: &mut Chunk<D>,
@@ -152,11 +158,11 @@ fn find_candidates<const D: usize>(
             let centre = place.centre - scene.shifts[code as usize];
             found.clear();
             if image == here {
-                scene.walls.planes_near(&centre, reach, &mut found);
+                scene.walls.planes_near(&centre, reach, poses, &mut found);
             } else if scene.shifts[code as usize].norm_squared() == 0.0 {
                 continue;
             }
-            scene.walls.facets_near(&centre, reach, &mut found);
+            scene.walls.facets_near(&centre, reach, poses, &mut found);
             let near =
                 found.iter().filter_map(|&surface| candidate(scene, grains, row as u32, surface, image));
             chunk.candidates.extend(near);

@@ -1,6 +1,6 @@
 //! Materials, laws, walls and the domain of a case.
 
-use case_io::document::{self, Case, WallShape};
+use case_io::document::{self, Case, WallShape, unit_vector};
 use case_io::error::CaseError;
 
 use super::{FluidMesh, at_key};
@@ -10,9 +10,9 @@ use crate::domain::Domain;
 use crate::error::DemError;
 use crate::material::{Material, Materials};
 use crate::scene::{Escape, Scene};
-use crate::vector::Vector;
+use crate::vector::{Spin, Vector};
 use crate::wall::stl::read_stl;
-use crate::wall::{Facet, Plane, Shape, Wall, Walls};
+use crate::wall::{Facet, Motion, Plane, Shape, Wall, Walls};
 use crate::world::World;
 
 /// The scene of a case, in the domain it states or in all space.
@@ -116,7 +116,7 @@ fn walls<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Result<Wal
         let shapes = match wall.shape() {
             Some(WallShape::Plane(plane)) => vec![Shape::Plane(Plane {
                 point: Vector::from(plane.point.to_array()),
-                normal: Vector::from(plane.unit_normal()),
+                normal: Vector::from(unit_vector(&plane.normal)),
             })],
             Some(WallShape::Stl(stl)) => read_stl(&case.folder.join(&stl.path), stl.scale)
                 .map_err(|error| at_key(case, &key("stl.path"), error))?
@@ -140,9 +140,32 @@ fn walls<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Result<Wal
                     .into());
             }
         };
-        Ok(Wall { name: wall.name.clone(), material, shapes })
+        Ok(Wall {
+            motion: wall.motion.as_ref().map(motion),
+            torque_about: wall.torque_about.as_ref().map_or(Vector::zeros(), |point| point.to_array().into()),
+            ..Wall::new(&wall.name, material, shapes)
+        })
     });
     Ok(Walls::new(walls.collect::<Result<_, DemError>>()?))
+}
+
+/// The sum of the stated motions; in 2D the axis of a rotation is z.
+fn motion<const D: usize>(document: &document::Motion) -> Motion<D> {
+    let none = Motion::none();
+    let rotation = document.rotation.as_ref();
+    let oscillation = document.oscillation.as_ref();
+    Motion {
+        translation: document.translation.as_ref().map_or(none.translation, |v| v.to_array().into()),
+        amplitude: oscillation.map_or(none.amplitude, |oscillation| {
+            Vector::from(unit_vector(&oscillation.direction)) * oscillation.amplitude.si()
+        }),
+        frequency: oscillation.map_or(none.frequency, |oscillation| oscillation.frequency.si()),
+        point: rotation.map_or(none.point, |rotation| rotation.point.to_array().into()),
+        angular_velocity: rotation.map_or(none.angular_velocity, |rotation| {
+            let axis = rotation.axis.as_deref().map_or([0.0, 0.0, 1.0], unit_vector);
+            Spin::from(axis) * rotation.rate.si()
+        }),
+    }
 }
 
 /// A triangle as a piece of wall, which it can only be in 3D.

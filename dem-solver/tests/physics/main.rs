@@ -9,6 +9,7 @@ mod impact;
 mod inserting;
 mod liggghts;
 mod limits;
+mod moving_walls;
 mod rest;
 mod restitution;
 mod scenes;

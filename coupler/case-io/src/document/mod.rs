@@ -43,8 +43,8 @@ pub use probe::Probe;
 pub use schema::schema;
 pub use time::TimeTable;
 pub use variant::{Run, Variant};
-pub use vector::{AccelerationVector, Axis, Bounds, Point, Vector, VelocityVector};
-pub use wall::{MeshBoundary, Plane, StlFile, Wall, WallShape};
+pub use vector::{AccelerationVector, Axis, Bounds, Point, Vector, VelocityVector, unit_vector};
+pub use wall::{MeshBoundary, Motion, Oscillation, Plane, Rotation, StlFile, Wall, WallShape};
 
 /// A case as `case.toml` states it.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]

@@ -166,6 +166,7 @@ kinds! {
     Viscosity, "a dynamic viscosity", [-1, 1, -1, 0], "Pa s", "mPa s";
     Force, "a force", [1, 1, -2, 0], "N", "N";
     Angle, "an angle", [0, 0, 0, 1], "rad", "deg";
+    AngularVelocity, "an angular velocity", [0, 0, -1, 1], "rad/s", "rad/s";
     MassRate, "a mass rate", [0, 1, -1, 0], "kg/s", "kg/s";
     NumberRate, "a number rate", [0, 0, -1, 0], "1/s", "1/s";
 }
@@ -244,6 +245,7 @@ mod tests {
         reads::<kind::Viscosity>();
         reads::<kind::Force>();
         reads::<kind::Angle>();
+        reads::<kind::AngularVelocity>();
         reads::<kind::MassRate>();
         reads::<kind::NumberRate>();
     }

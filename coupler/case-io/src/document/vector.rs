@@ -93,6 +93,13 @@ pub(super) fn extent(lower: &Point, upper: &Point) -> [f64; 3] {
     std::array::from_fn(|axis| upper[axis] - lower[axis])
 }
 
+/// The vector of length 1 in a direction stated with bare numbers, its first `D` components.
+pub fn unit_vector<const D: usize>(direction: &[f64]) -> [f64; D] {
+    let largest = direction.iter().fold(0.0, |largest: f64, n| largest.max(n.abs()));
+    let length = largest * direction.iter().map(|n| (n / largest).powi(2)).sum::<f64>().sqrt();
+    std::array::from_fn(|axis| direction.get(axis).map_or(0.0, |n| n / length))
+}
+
 /// A positive bare factor that turns a file's lengths into metres.
 pub(super) fn one() -> f64 {
     1.0

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::vector::{Point, one};
+use super::quantity::{AngularVelocity, Length, NumberRate};
+use super::vector::{Point, VelocityVector, one};
 
 /// `[[wall]]`; exactly one of `plane`, `stl`, `mesh` gives its shape.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -21,6 +22,10 @@ pub struct Wall {
     pub stl: Option<StlFile>,
     /// Boundary faces of the fluid mesh.
     pub mesh: Option<MeshBoundary>,
+    /// Prescribed motion of a `plane` or `stl` wall; default at rest. Shapes are stated as at t = 0.
+    pub motion: Option<Motion>,
+    /// Point, fixed in space, about which `series/walls.csv` tells the torque; default the origin.
+    pub torque_about: Option<Point>,
 }
 
 impl Wall {
@@ -55,15 +60,6 @@ pub struct Plane {
     pub normal: Vec<f64>,
 }
 
-impl Plane {
-    /// The normal of length 1, its first `D` components.
-    pub fn unit_normal<const D: usize>(&self) -> [f64; D] {
-        let largest = self.normal.iter().fold(0.0, |largest: f64, n| largest.max(n.abs()));
-        let length = largest * self.normal.iter().map(|n| (n / largest).powi(2)).sum::<f64>().sqrt();
-        std::array::from_fn(|axis| self.normal.get(axis).map_or(0.0, |n| n / length))
-    }
-}
-
 /// Triangles of an STL file, ASCII or binary.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -81,4 +77,40 @@ pub struct StlFile {
 pub struct MeshBoundary {
     /// Names of boundaries of the fluid mesh.
     pub boundary: Vec<String>,
+}
+
+/// Prescribed motion: the sum of what is stated; the axis of a rotation goes along with translation and oscillation.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Motion {
+    /// Constant velocity.
+    pub translation: Option<VelocityVector>,
+    /// Rotation at a constant rate.
+    pub rotation: Option<Rotation>,
+    /// Harmonic oscillation.
+    pub oscillation: Option<Oscillation>,
+}
+
+/// Rotation about an axis.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Rotation {
+    /// Direction of the axis, of any length: three bare numbers (3D only; in 2D the axis is z).
+    pub axis: Option<Vec<f64>>,
+    /// A point of the axis at t = 0.
+    pub point: Point,
+    /// Angular velocity, right-handed about the axis.
+    pub rate: AngularVelocity,
+}
+
+/// Displacement amplitude · sin(2π · frequency · t) along a direction.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Oscillation {
+    /// The direction, of any length: `dimension` bare numbers.
+    pub direction: Vec<f64>,
+    /// Largest displacement.
+    pub amplitude: Length,
+    /// Oscillations per time.
+    pub frequency: NumberRate,
 }

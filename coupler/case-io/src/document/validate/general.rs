@@ -144,7 +144,7 @@ mod tests {
         let Some(crate::document::WallShape::Plane(plane)) = read.wall[0].shape() else {
             panic!("the floor is a plane")
         };
-        assert_eq!(plane.unit_normal::<3>(), [0.0, 1.0, 0.0]);
+        assert_eq!(crate::document::unit_vector::<3>(&plane.normal), [0.0, 1.0, 0.0]);
     }
 
     #[test]
