@@ -54,15 +54,12 @@ impl<const D: usize> State<D> {
         self.previous_step = other.previous_step;
     }
 
-    /// Makes a history before the first step (s): uⁿ⁻¹ = uⁿ less what the body force (m/s²) adds in a step along periodic
-    /// axes, where no pressure holds it, and ε as it goes on from there, εⁿ⁻¹ = 2εⁿ − ε.
+    /// Makes a history before the first step (s): uⁿ⁻¹ = uⁿ, and ε as it goes on from there, εⁿ⁻¹ = 2εⁿ − ε.
     ///
     /// What the grains give in a step changes 3/2 Mⁿ⁺¹ − 2 Mⁿ + 1/2 Mⁿ⁻¹; from Mⁿ⁻¹ = Mⁿ all of it reaches M, two thirds at
     /// once. A first step by backward Euler, second order where forces begin smoothly, would take it one and a half times.
-    pub fn begin_with_grains(&mut self, step: f64, body: &[Vector<D>], periodic: [bool; D]) {
-        for ((older, old), body) in self.velocity_older.iter_mut().zip(&self.velocity_old).zip(body) {
-            *older = std::array::from_fn(|k| if periodic[k] { old[k] - step * body[k] } else { old[k] });
-        }
+    pub fn begin_with_grains(&mut self, step: f64) {
+        self.velocity_older.copy_from_slice(&self.velocity_old);
         let (new, old) = (&self.void_fraction, &self.void_fraction_old);
         for (older, (new, old)) in self.void_fraction_older.iter_mut().zip(new.iter().zip(old)) {
             *older = 2.0 * old - new;

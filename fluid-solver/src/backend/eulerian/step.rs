@@ -94,8 +94,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         iterate: Option<(&[Vector<D>], &[f64])>,
     ) -> Result<u64, FluidError> {
         if self.state.previous_step.is_none() && !exchange.is_silent() {
-            let periodic = self.mesh.periodicity().0.map(|period| period.is_some());
-            self.state.begin_with_grains(step.length, &self.acceleration, periodic);
+            self.state.begin_with_grains(step.length);
         }
         let rule = TimeRule::new(step.length, self.state.previous_step);
         self.work.rule = rule;
