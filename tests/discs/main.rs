@@ -17,7 +17,7 @@ depth = "10 mm"
 gravity = ["0 m/s^2", "-9.81 m/s^2"]
 [time]
 end = "100 ms"
-window = "0.5 ms"
+window = "0.2 ms"
 [output]
 series = "5 ms"
 frames = "none"
