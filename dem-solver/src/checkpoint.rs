@@ -1,19 +1,20 @@
 //! The world on disk: all of it, so that a resumed run gives the same bits.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use serde::{Deserialize, Serialize};
 
-use crate::contact::{CHUNK, Chunk, ContactList, Pair, Remembered, Spring, WallContact, chunk_count};
-use crate::domain::Image;
+use crate::bond::{BondArrays, Bonds};
+use crate::deletion::Taken;
+use crate::engine::{Approach, ContactArrays, ContactList, Counters, Skins};
 use crate::error::DemError;
-use crate::grains::{Grains, Motion, Place, inertia};
+use crate::grains::{AsRows, Grains, Motion, Place, inertia};
 use crate::insertion::{Feed, Random};
 use crate::scene::Scene;
-use crate::search::{candidate, complete, incoming};
 use crate::vector::{Spin, Vector};
-use crate::wall::{Received, WallImpulse};
+use crate::wall::{Received, Slide, WallImpulse};
 use crate::world::World;
 
 const KIND: &str = "dem-solver";
@@ -24,11 +25,19 @@ struct Metadata {
     time: f64,
     born: u64,
     removed: u64,
-    list_time: f64,
+    taken: Vec<(u64, f64)>,
     walls_since: f64,
-    skin: f64,
-    valid: bool,
+    slides: Vec<[f64; 3]>,
+    rows: u64,
+    torques: bool,
+    skins: [f64; 3],
+    spent: [f64; 3],
+    approach: [f64; 5],
+    walls_time: f64,
     built_since_order: u32,
+    counters: [u64; 3],
+    since_pull: f64,
+    broken: [u64; 3],
     feeds: Vec<FeedState>,
 }
 
@@ -49,37 +58,34 @@ impl<const D: usize> World<D> {
     /// The file cannot be written.
     pub fn write_checkpoint(&self, path: &Path) -> Result<(), DemError> {
         let Self { grains, contacts, .. } = self;
+        let ContactList { skins, spent, approach, counters, .. } = contacts;
+        let [fx, fy, fz] = approach.frame;
+        let arrays = ContactArrays::of(contacts);
+        let bonds = BondArrays::of(&self.bonds);
         let metadata = Metadata {
             dimension: D,
             time: self.time,
             born: self.born,
             removed: self.removed,
-            list_time: self.list_time,
+            taken: self.taken.iter().map(|taken| (taken.count, taken.mass)).collect(),
+            slides: self.slides.iter().map(|s| [s.displacement, s.velocity, s.listed]).collect(),
             walls_since: self.received.since,
-            skin: contacts.skin,
-            valid: contacts.valid,
+            rows: arrays.rows,
+            torques: arrays.torques,
+            skins: [skins.outer, skins.inner, skins.walls],
+            spent: [spent.outer, spent.inner, spent.walls],
+            approach: [approach.between_grains, approach.to_walls, fx, fy, fz],
+            walls_time: contacts.walls_time,
             built_since_order: contacts.built_since_order,
+            counters: [counters.outer, counters.inner, counters.walls],
+            since_pull: bonds.elapsed,
+            broken: bonds.broken,
             feeds: self.feeds.iter().map(FeedState::of).collect(),
         };
-        let place: Vec<f64> = grains.place.iter().flat_map(|p| floats(&p.centre, [p.radius])).collect();
+        let place: Vec<f64> = grains.place.as_rows().iter().flat_map(|row| row.0).collect();
         let motion: Vec<f64> =
             grains.motion.iter().flat_map(|m| floats(&m.velocity, m.angular_velocity.into())).collect();
         let frozen: Vec<u8> = grains.motion.iter().map(|motion| u8::from(motion.is_frozen())).collect();
-        let reference: Vec<f64> = contacts.reference.iter().flat_map(|x| floats(x, [])).collect();
-        let chunks = || contacts.chunks.iter();
-        let pairs: Vec<u32> = chunks().flat_map(|c| &c.pairs).flat_map(|p| [p.i, p.j, p.image.0]).collect();
-        let springs: Vec<f64> = chunks().flat_map(|c| &c.springs).flat_map(spring_floats).collect();
-        let near_walls: Vec<u32> =
-            chunks().flat_map(|c| &c.candidates).flat_map(|c| [c.grain, c.surface, c.image.0]).collect();
-        let on_walls: Vec<u32> =
-            chunks().flat_map(|c| &c.wall_contacts).flat_map(|c| [c.grain, c.wall]).collect();
-        let wall_springs: Vec<f64> = chunks()
-            .flat_map(|c| &c.wall_contacts)
-            .flat_map(|c| floats(&c.normal, []).chain(spring_floats(&c.spring)))
-            .collect();
-        let remembered: Vec<u32> = chunks().flat_map(|c| &c.remembered).flat_map(|r| [r.i, r.j]).collect();
-        let remembered_springs: Vec<f64> =
-            chunks().flat_map(|c| &c.remembered).flat_map(|r| spring_floats(&r.spring)).collect();
         let received: Vec<f64> =
             self.received.impulse.iter().flat_map(|wall| floats(&wall.linear, wall.angular.into())).collect();
         CheckpointWriter::new(KIND, &metadata)
@@ -89,14 +95,22 @@ impl<const D: usize> World<D> {
             .array("mass", &grains.mass)
             .array("material", &grains.material)
             .array("frozen", &frozen)
-            .array("reference", &reference)
-            .array("pairs", &pairs)
-            .array("springs", &springs)
-            .array("near walls", &near_walls)
-            .array("on walls", &on_walls)
-            .array("wall springs", &wall_springs)
-            .array("remembered", &remembered)
-            .array("remembered springs", &remembered_springs)
+            .array("outer pairs", &arrays.outer)
+            .array("inner pairs", &arrays.inner)
+            .array("springs", &arrays.springs)
+            .array("remembered", &arrays.remembered)
+            .array("remembered springs", &arrays.remembered_springs)
+            .array("near planes", &arrays.near_planes)
+            .array("plane springs", &arrays.plane_springs)
+            .array("on planes", &arrays.on_planes)
+            .array("springs on planes", &arrays.on_planes_springs)
+            .array("near walls", &arrays.near_walls)
+            .array("on walls", &arrays.on_walls)
+            .array("wall springs", &arrays.wall_springs)
+            .array("bonded grains", &bonds.grains)
+            .array("bond laws", &bonds.laws)
+            .array("bond numbers", &bonds.numbers)
+            .array("bond failures", &bonds.failures)
             .array("received", &received)
             .write(path)?;
         Ok(())
@@ -113,20 +127,28 @@ impl<const D: usize> World<D> {
         if metadata.dimension != D {
             return Err(foreign("it is of another dimension"));
         }
-        let grains = read_grains(&file)?.ok_or_else(|| foreign("its grains are incomplete"))?;
+        let grains = read_grains::<D>(&file)?.ok_or_else(|| foreign("its grains are incomplete"))?;
         if grains.material.iter().any(|&material| material as usize >= scene.materials.len()) {
             return Err(foreign("a grain is of a material that the case does not have"));
         }
-        let contacts = read_contacts(&file, &metadata, scene, &grains)?;
+        let contacts = read_contacts(&file, &metadata)?.restore(scene, &grains, list(&metadata));
         let contacts = contacts.ok_or_else(|| foreign("its contacts do not fit the grains and walls"))?;
+        let bonds = read_bonds(&file, &metadata)?.filter(|bonds| fit(bonds, scene, &grains));
+        let bonds = bonds.ok_or_else(|| foreign("its bonds do not fit the grains and laws"))?;
         let feeds = resume(feeds, metadata.feeds).ok_or_else(|| foreign("its insertions are others"))?;
         let impulse = file.array::<f64>("received")?;
-        let impulse = impulse
-            .chunks_exact(D + 3)
-            .map(|row| WallImpulse { linear: vector(row), angular: Spin::from_column_slice(&row[D..]) });
-        let Metadata { time, list_time, walls_since, born, removed, .. } = metadata;
+        let impulse = impulse.chunks_exact(D + 3).map(|row| WallImpulse {
+            linear: Vector::from_column_slice(&row[..D]),
+            angular: Spin::from_column_slice(&row[D..]),
+        });
+        let Metadata { time, walls_since, slides, born, removed, taken, .. } = metadata;
+        let slides = slides
+            .into_iter()
+            .map(|[displacement, velocity, listed]| Slide { displacement, velocity, listed })
+            .collect();
+        let taken = taken.into_iter().map(|(count, mass)| Taken { count, mass }).collect();
         let received = Received { since: walls_since, impulse: impulse.collect() };
-        Ok(Self { time, grains, contacts, list_time, received, born, removed, feeds })
+        Ok(Self { time, grains, contacts, bonds, slides, received, born, removed, taken, feeds })
     }
 }
 
@@ -155,82 +177,83 @@ fn resume<const D: usize>(feeds: Vec<Feed<D>>, states: Vec<FeedState>) -> Option
     Some(resumed.collect())
 }
 
-fn read_grains<const D: usize>(file: &Checkpoint) -> Result<Option<Grains<D>>, DemError> {
+fn read_grains<const D: usize>(file: &Checkpoint) -> Result<Option<Grains>, DemError> {
     let (place, motion, frozen) =
         (file.array::<f64>("place")?, file.array::<f64>("motion")?, file.array::<u8>("frozen")?);
     let (id, mass, material) =
         (file.array::<u64>("id")?, file.array::<f64>("mass")?, file.array::<u32>("material")?);
-    let lengths = [place.len() / (D + 1), motion.len() / (D + 3), frozen.len(), mass.len(), material.len()];
+    let lengths = [place.len() / 4, motion.len() / 6, frozen.len(), mass.len(), material.len()];
     if lengths.iter().any(|&length| length != id.len()) {
         return Ok(None);
     }
     let place: Vec<_> =
-        place.chunks_exact(D + 1).map(|row| Place { centre: vector(row), radius: row[D] }).collect();
-    let motion = motion.chunks_exact(D + 3).enumerate().map(|(k, row)| {
+        place.chunks_exact(4).map(|row| Place { centre: spin(row), radius: row[3] }).collect();
+    let motion = motion.chunks_exact(6).enumerate().map(|(k, row)| {
         if frozen[k] != 0 {
             return Motion::frozen();
         }
         Motion {
-            velocity: vector(row),
+            velocity: spin(row),
             inverse_mass: 1.0 / mass[k],
-            angular_velocity: Spin::from_column_slice(&row[D..]),
+            angular_velocity: spin(&row[3..]),
             inverse_inertia: 1.0 / inertia::<D>(mass[k], place[k].radius),
         }
     });
     Ok(Some(Grains { motion: motion.collect(), id, place, mass, material }))
 }
 
-fn read_contacts<const D: usize>(
-    file: &Checkpoint,
-    metadata: &Metadata,
-    scene: &Scene<D>,
-    grains: &Grains<D>,
-) -> Result<Option<ContactList<D>>, DemError> {
-    let (pairs, springs) = (file.array::<u32>("pairs")?, file.array::<f64>("springs")?);
-    let (remembered, kept) = (file.array::<u32>("remembered")?, file.array::<f64>("remembered springs")?);
-    let (on_walls, wall_springs) = (file.array::<u32>("on walls")?, file.array::<f64>("wall springs")?);
-    let near_walls = file.array::<u32>("near walls")?;
-    let reference = file.array::<f64>("reference")?;
-    let (rows, images) = (grains.len() as u32, scene.shifts.len() as u32);
-    let (surfaces, walls) = (scene.walls.surfaces.len() as u32, scene.walls.len() as u32);
-    let fits = pairs.chunks(3).all(|p| p[0] < p[1] && p[1] < rows && p[2] < images)
-        && (springs.is_empty() || springs.len() == pairs.len() / 3 * (D + 1))
-        && remembered.chunks(2).all(|p| p[0] < p[1] && p[1] < rows)
-        && kept.len() == remembered.len() / 2 * (D + 1)
-        && near_walls.chunks(3).all(|c| c[0] < rows && c[1] < surfaces && c[2] < images)
-        && on_walls.chunks(2).all(|c| c[0] < rows && c[1] < walls)
-        && wall_springs.len() == on_walls.len() / 2 * (2 * D + 1);
-    if !fits {
-        return Ok(None);
-    }
-    let mut chunks = vec![Chunk::new(); chunk_count(grains.len())];
-    for (k, p) in pairs.chunks(3).enumerate() {
-        let chunk = &mut chunks[p[0] as usize / CHUNK];
-        chunk.pairs.push(Pair { i: p[0], j: p[1], slot: 0, image: Image(p[2]) });
-        chunk.springs.extend(springs.chunks(D + 1).nth(k).map(spring));
-    }
-    for (p, row) in remembered.chunks(2).zip(kept.chunks(D + 1)) {
-        chunks[p[0] as usize / CHUNK].remembered.push(Remembered { i: p[0], j: p[1], spring: spring(row) });
-    }
-    for c in near_walls.chunks(3) {
-        chunks[c[0] as usize / CHUNK].candidates.extend(candidate(scene, grains, c[0], c[1], Image(c[2])));
-    }
-    for (c, row) in on_walls.chunks(2).zip(wall_springs.chunks(2 * D + 1)) {
-        let contact = WallContact { grain: c[0], wall: c[1], normal: vector(row), spring: spring(&row[D..]) };
-        chunks[c[0] as usize / CHUNK].wall_contacts.push(contact);
-    }
-    for (index, chunk) in chunks.iter_mut().enumerate() {
-        complete(scene, grains, index, chunk);
-    }
-    let list = ContactList {
-        incoming: if metadata.valid { incoming(&chunks) } else { vec![] },
-        chunks,
-        reference: reference.chunks_exact(D).map(vector).collect(),
-        skin: metadata.skin,
-        valid: metadata.valid,
-        built_since_order: metadata.built_since_order,
+fn read_contacts(file: &Checkpoint, metadata: &Metadata) -> Result<ContactArrays, DemError> {
+    Ok(ContactArrays {
+        rows: metadata.rows,
+        torques: metadata.torques,
+        outer: file.array("outer pairs")?,
+        inner: file.array("inner pairs")?,
+        springs: file.array("springs")?,
+        remembered: file.array("remembered")?,
+        remembered_springs: file.array("remembered springs")?,
+        near_planes: file.array("near planes")?,
+        plane_springs: file.array("plane springs")?,
+        on_planes: file.array("on planes")?,
+        on_planes_springs: file.array("springs on planes")?,
+        near_walls: file.array("near walls")?,
+        on_walls: file.array("on walls")?,
+        wall_springs: file.array("wall springs")?,
+    })
+}
+
+fn read_bonds(file: &Checkpoint, metadata: &Metadata) -> Result<Option<Bonds>, DemError> {
+    let arrays = BondArrays {
+        elapsed: metadata.since_pull,
+        broken: metadata.broken,
+        grains: file.array("bonded grains")?,
+        laws: file.array("bond laws")?,
+        numbers: file.array("bond numbers")?,
+        failures: file.array("bond failures")?,
     };
-    Ok(Some(list))
+    Ok(arrays.restore()?)
+}
+
+/// Whether each bond has its grains and its law.
+fn fit<const D: usize>(bonds: &Bonds, scene: &Scene<D>, grains: &Grains) -> bool {
+    let known: HashSet<u64> = grains.id.iter().copied().collect();
+    let laws = scene.bond_laws.len();
+    bonds.iter().all(|bond| (bond.law as usize) < laws && bond.grains.iter().all(|id| known.contains(id)))
+}
+
+/// What the lists know beside their pairs.
+fn list(metadata: &Metadata) -> ContactList {
+    let skins = |[outer, inner, walls]: [f64; 3]| Skins { outer, inner, walls };
+    let [between_grains, to_walls, fx, fy, fz] = metadata.approach;
+    let [outer, inner, walls] = metadata.counters;
+    ContactList {
+        skins: skins(metadata.skins),
+        spent: skins(metadata.spent),
+        approach: Approach { between_grains, to_walls, frame: [fx, fy, fz] },
+        walls_time: metadata.walls_time,
+        built_since_order: metadata.built_since_order,
+        counters: Counters { outer, inner, walls },
+        ..ContactList::new()
+    }
 }
 
 fn floats<const D: usize, const N: usize>(
@@ -240,14 +263,6 @@ fn floats<const D: usize, const N: usize>(
     vector.data.0.into_iter().flatten().chain(more)
 }
 
-fn spring_floats<const D: usize>(spring: &Spring<D>) -> impl Iterator<Item = f64> + use<D> {
-    floats(&spring.elongation, [spring.stiffness])
-}
-
-fn vector<const D: usize>(row: &[f64]) -> Vector<D> {
-    Vector::from_column_slice(&row[..D])
-}
-
-fn spring<const D: usize>(row: &[f64]) -> Spring<D> {
-    Spring { elongation: vector(row), stiffness: row[D] }
+fn spin(row: &[f64]) -> Spin {
+    Spin::new(row[0], row[1], row[2])
 }

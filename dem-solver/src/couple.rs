@@ -7,7 +7,7 @@ use crate::scene::Scene;
 use crate::setup::Setup;
 use crate::turnover::turn_over;
 use crate::vector::embed;
-use crate::window::window as advance_window;
+use crate::window::{relist, window as advance_window};
 use crate::workspace::Workspace;
 use crate::world::{Saved, World};
 use interface::frames::{GrainRow, HydroRow, ImpulseRow};
@@ -77,7 +77,7 @@ impl<const D: usize> DemParticipant<D> {
     pub fn resume(&mut self, folder: &Path) -> Result<(), DemError> {
         let feeds = std::mem::take(&mut self.world.feeds);
         self.world = World::read_checkpoint(&folder.join(PART), &self.scene, feeds)?;
-        self.record.resume(&self.scene.walls, self.world.time)
+        self.record.resume(&self.scene, &self.world)
     }
 
     fn publish_grains(&mut self, iteration: u32, time: f64, order_changed: bool) -> Result<(), DemError> {
@@ -91,6 +91,9 @@ impl<const D: usize> DemParticipant<D> {
     fn open_window(&mut self, window: Window) -> Result<Opening, DemError> {
         let turnover = turn_over(&self.scene, &mut self.world)?;
         self.window = window;
+        let count = self.substeps()?;
+        let (scene, world, workspace) = (&self.scene, &mut self.world, &mut self.workspace);
+        relist(scene, world, workspace, window.step / f64::from(count))?;
         let grains_changed = self.coupled && (turnover.order_changed || !self.published);
         if grains_changed {
             self.publish_grains(0, window.time, turnover.order_changed)?;
@@ -100,10 +103,13 @@ impl<const D: usize> DemParticipant<D> {
         Ok(Opening::Opened(Opened { rows: self.world.grains.len() as u64, grains_changed }))
     }
 
+    fn substeps(&self) -> Result<u32, DemError> {
+        substeps(self.window.step, self.substep, &critical_time_step(&self.scene, &self.world))
+    }
+
     fn advance_iteration(&mut self, iteration: u32) -> Result<Solved, DemError> {
         let mut clock = Stopwatch::start();
-        let critical = critical_time_step(&self.scene, &self.world);
-        let count = substeps(self.window.step, self.substep, &critical)?;
+        let count = self.substeps()?;
         let ledger = {
             let hydro = if self.coupled { Some(self.hydro.of(self.window.number, iteration)?) } else { None };
             let (scene, world, workspace) = (&self.scene, &mut self.world, &mut self.workspace);
@@ -130,8 +136,9 @@ impl<const D: usize> DemParticipant<D> {
     }
 
     fn commit_window(&mut self, commit: &Commit) -> Result<Committed, DemError> {
+        self.world.bonds.sweep(|_| true);
         if commit.series {
-            self.record.row(&self.scene.walls, &self.world)?;
+            self.record.row(&self.scene, &self.world)?;
             self.world.received.restart(self.world.time);
         }
         if let Some(number) = commit.frame {
@@ -148,8 +155,8 @@ fn grain_row<const D: usize>(world: &World<D>, row: usize) -> GrainRow {
     let (place, motion) = (&world.grains.place[row], &world.grains.motion[row]);
     GrainRow {
         id: world.grains.id[row],
-        position: embed(&place.centre).into(),
-        velocity: embed(&motion.velocity).into(),
+        position: place.centre.into(),
+        velocity: motion.velocity.into(),
         angular_velocity: motion.angular_velocity.into(),
         radius: place.radius,
         mass: if motion.is_frozen() { f64::INFINITY } else { world.grains.mass[row] },
@@ -163,7 +170,7 @@ impl<const D: usize> Participant for DemParticipant<D> {
 
     fn ready(&mut self) -> Result<Ready, Failure> {
         if self.world.time == 0.0 {
-            self.record.start(&self.scene.walls, &self.world).map_err(Failure::from)?;
+            self.record.start(&self.scene, &self.world).map_err(Failure::from)?;
         }
         let size = self.world.grains.len() as u64;
         let critical = critical_time_step(&self.scene, &self.world);
@@ -172,7 +179,10 @@ impl<const D: usize> Participant for DemParticipant<D> {
         } else {
             "no critical step at the start: nothing touches".to_string()
         };
-        let notes = vec![format!("{size} grains at the start"), limit];
+        let mut notes = vec![format!("{size} grains at the start"), limit];
+        if !self.world.bonds.is_empty() {
+            notes.push(format!("{} bonds at the start", self.world.bonds.len()));
+        }
         Ok(Ready { size, largest_step: f64::INFINITY, time: self.world.time, notes, surface: None })
     }
 

@@ -2,10 +2,13 @@
 
 use std::fmt;
 
+use crate::bond::Resistance;
+use crate::bonded::links;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal};
-use crate::contact::{Chunk, Coefficients, NormalLaw};
+use crate::contact::{Coefficients, NormalLaw};
+use crate::engine::{Periods, Planes};
 use crate::error::DemError;
-use crate::grains::inertia;
+use crate::grains::{Motion, inertia};
 use crate::scene::Scene;
 use crate::world::World;
 
@@ -24,8 +27,12 @@ pub enum Binding {
     Contact(u64),
     /// The stiffness of the present contacts of this grain.
     Stiffness(u64),
+    /// The stiffness and damping of the bonds of this grain, with its present contacts.
+    Bonds(u64),
     /// The speed of this grain.
     Speed(u64),
+    /// The stiffness of the present contacts of this wall, which slides.
+    Wall(String),
 }
 
 impl fmt::Display for Binding {
@@ -34,7 +41,9 @@ impl fmt::Display for Binding {
             Self::Nothing => write!(f, "nothing"),
             Self::Contact(grain) => write!(f, "the duration of a contact of grain {grain}"),
             Self::Stiffness(grain) => write!(f, "the stiffness of the contacts of grain {grain}"),
+            Self::Bonds(grain) => write!(f, "the stiffness of the bonds of grain {grain}"),
             Self::Speed(grain) => write!(f, "the speed of grain {grain}"),
+            Self::Wall(wall) => write!(f, "the stiffness of the contacts of the wall \"{wall}\""),
         }
     }
 }
@@ -57,20 +66,22 @@ pub enum Substep {
     Fraction(f64),
 }
 
-/// The critical step of the world as it is, the least of three:
+/// The critical step of the world as it is, the least of:
 ///
 /// 1. the law's own resolution of a contact of each grain with its like, the sharpest it can have
 ///    ([`Normal::resolving_step`]);
 /// 2. stability with the present contacts, Δt < 2/ω (√(1 + ζ²) - ζ), where by Gershgorin's circles
-///    ω² ≤ max_i Σ_c 2 k_c/m_i over grains and Σ_c k_c/m_i over walls, k_c the larger of normal slope and
-///    (1 + m r²/I) k_t;
-/// 3. a flight of a tenth of the radius.
+///    ω² ≤ max_i Σ_c 2 k_c/m_i over grains and walls that slide, and Σ_c k_c/m_i over other walls, k_c the larger of
+///    normal slope and (1 + m r²/I) k_t + k_r m/I; i are grains and walls that slide;
+/// 3. a flight of a tenth of the radius;
+/// 4. for bonded grains, A Δt² + 2 B Δt = 4 m with A = Σ_c 2 k_c and B = 2 ζ √(A m) of the contacts, and what bonds add to
+///    both ([`Resistance`]).
 ///
 /// Source: Belytschko, Liu & Moran, Nonlinear Finite Elements (2000), section 6.2 for the damped limit;
 /// Otsubo, O'Sullivan & Shire, Comput. Geotech. 86 (2017) 170–182 for many contacts.
 pub fn critical_time_step<const D: usize>(scene: &Scene<D>, world: &World<D>) -> CriticalStep {
     match scene.normal_law {
-        NormalLaw::None => CriticalStep { step: f64::INFINITY, binding: Binding::Nothing },
+        NormalLaw::None => of_bonds(scene, world, &vec![0.0; world.grains.len()]),
         NormalLaw::Hooke(law) => by_law::<D, Hooke>(scene, world, &law),
         NormalLaw::Hertz(law) => by_law::<D, Hertz>(scene, world, &law),
         NormalLaw::LiggghtsHooke(law) => by_law::<D, LiggghtsHooke>(scene, world, &law),
@@ -80,7 +91,8 @@ pub fn critical_time_step<const D: usize>(scene: &Scene<D>, world: &World<D>) ->
 
 fn by_law<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>, law: &N) -> CriticalStep {
     let grains = &world.grains;
-    let mut critical = CriticalStep { step: f64::INFINITY, binding: Binding::Nothing };
+    let (of_grains, of_walls) = stiffness::<D, N>(scene, world);
+    let mut critical = of_bonds(scene, world, &of_grains);
     let mut bound = |step: f64, binding: Binding| {
         if step < critical.step {
             critical = CriticalStep { step, binding };
@@ -88,7 +100,13 @@ fn by_law<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>, law:
     };
     let damping = scene.materials.largest_damping_ratio();
     let damped = (1.0 + damping * damping).sqrt() - damping;
-    for (row, stiffness) in stiffness::<D, N>(scene, world).into_iter().enumerate() {
+    for (wall, servo) in scene.walls.servos.iter().enumerate() {
+        if let Some(servo) = servo {
+            let step = 2.0 * damped / (of_walls[wall] / servo.mass).sqrt();
+            bound(step, Binding::Wall(scene.walls.names[wall].clone()));
+        }
+    }
+    for (row, stiffness) in of_grains.into_iter().enumerate() {
         let (motion, radius, material) =
             (&grains.motion[row], grains.place[row].radius, grains.material[row]);
         if motion.is_frozen() {
@@ -105,38 +123,84 @@ fn by_law<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>, law:
     critical
 }
 
-/// Gershgorin's row sums of the stiffness matrix \[N/m\].
-fn stiffness<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -> Vec<f64> {
-    let place = &world.grains.place;
-    let rolling = 1.0 + 1.0 / inertia::<D>(1.0, 1.0);
-    let rubs = scene.materials.rub();
-    let of_contact = |coefficients: &Coefficients, overlap: f64| {
-        let tangential = coefficients.tangential_stiffness * N::growth(overlap).stiffness;
-        N::slope(coefficients, overlap).max(if rubs { rolling * tangential } else { 0.0 })
-    };
-    let walls = scene.walls.poses(world.time);
-    let mut sums = vec![0.0; place.len()];
-    for Chunk { pairs, coefficients, candidates, .. } in &world.contacts.chunks {
-        for (pair, coefficients) in pairs.iter().zip(coefficients) {
-            let (a, b) = (&place[pair.i as usize], &place[pair.j as usize]);
-            let distance = (b.centre + scene.shifts[pair.image.0 as usize] - a.centre).norm();
-            let overlap = a.radius + b.radius - distance;
-            if overlap > 0.0 {
-                let stiffness = of_contact(coefficients, overlap);
-                sums[pair.i as usize] += 2.0 * stiffness;
-                sums[pair.j as usize] += 2.0 * stiffness;
-            }
-        }
-        for candidate in candidates {
-            let grain = &place[candidate.grain as usize];
-            let centre = grain.centre - scene.shifts[candidate.image.0 as usize];
-            let overlap = grain.radius - scene.walls.nearest(candidate.surface, &centre, &walls).distance;
-            if overlap > 0.0 {
-                sums[candidate.grain as usize] += of_contact(&candidate.coefficients, overlap);
+/// The bound of bonded grains whose contacts have these row sums \[N/m\].
+fn of_bonds<const D: usize>(scene: &Scene<D>, world: &World<D>, of_contacts: &[f64]) -> CriticalStep {
+    let mut critical = CriticalStep { step: f64::INFINITY, binding: Binding::Nothing };
+    // A bond without its grain is refused when the window opens.
+    let Ok(links) = links(scene, world) else { return critical };
+    let damping = scene.materials.largest_damping_ratio();
+    for row in links.bonded_rows() {
+        let Motion { inverse_mass, inverse_inertia, .. } = world.grains.motion[row];
+        if inverse_mass > 0.0 {
+            let contacts = Resistance {
+                stiffness: of_contacts[row],
+                damping: 2.0 * damping * (of_contacts[row] / inverse_mass).sqrt(),
+            };
+            let all = contacts + links.resistance(row, inverse_inertia / inverse_mass);
+            let step = all.critical_step(inverse_mass);
+            if step < critical.step {
+                critical = CriticalStep { step, binding: Binding::Bonds(world.grains.id[row]) };
             }
         }
     }
-    sums
+    critical
+}
+
+/// Gershgorin's row sums of the stiffness matrix \[N/m\], of grains and of walls.
+fn stiffness<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -> (Vec<f64>, Vec<f64>) {
+    let place = &world.grains.place;
+    // m r²/I.
+    let turning = 1.0 / inertia::<D>(1.0, 1.0);
+    let rubs = scene.materials.rub();
+    // k_r/r², at most, since R* ≤ r.
+    let against_rolling = |coefficients: &Coefficients| {
+        let law = scene.extras.rolling.iter();
+        let all = law.flat_map(|law| scene.materials.pairs().iter().map(|pair| (*law, pair)));
+        all.map(|(law, pair)| law.constants(coefficients, pair, 1.0, 0.0).stiffness).fold(0.0, f64::max)
+    };
+    let of_contact = |coefficients: &Coefficients, overlap: f64| {
+        let slope = N::slope(coefficients, overlap);
+        if !rubs {
+            return slope;
+        }
+        let rubbing =
+            (1.0 + turning) * coefficients.tangential_stiffness + turning * against_rolling(coefficients);
+        slope.max(rubbing * N::growth(overlap).stiffness)
+    };
+    let (walls, planes) = (world.wall_poses(scene), Planes::of(scene));
+    let periods = Periods::new(&scene.domain);
+    let mut sums = vec![0.0; place.len()];
+    let mut of_walls = vec![0.0; scene.walls.len()];
+    let alike = world.contacts.alike.as_ref();
+    for chunk in &world.contacts.chunks {
+        for (i, j, coefficients) in chunk.inner.pairs(alike) {
+            let overlap = periods.overlap(&place[i], &place[j]);
+            if overlap > 0.0 {
+                let stiffness = of_contact(&coefficients, overlap);
+                sums[i] += 2.0 * stiffness;
+                sums[j] += 2.0 * stiffness;
+            }
+        }
+        for (grain, plane, coefficients) in chunk.planes.contacts() {
+            let overlap = planes.overlap(plane, &place[grain]);
+            if overlap > 0.0 {
+                sums[grain] += of_contact(&coefficients, overlap);
+            }
+        }
+        for candidate in &chunk.candidates {
+            let grain = &place[candidate.grain as usize];
+            let centre = grain.at() - scene.shifts[candidate.image.0 as usize];
+            let overlap = grain.radius - scene.walls.nearest(candidate.surface, &centre, &walls).distance;
+            if overlap > 0.0 {
+                let stiffness = of_contact(&candidate.coefficients, overlap);
+                let wall = scene.walls.surfaces[candidate.surface as usize].wall as usize;
+                let gives_way = scene.walls.servos[wall].is_some();
+                sums[candidate.grain as usize] += if gives_way { 2.0 * stiffness } else { stiffness };
+                of_walls[wall] += 2.0 * stiffness;
+            }
+        }
+    }
+    (sums, of_walls)
 }
 
 /// Number of equal substeps of a window \[s\].

@@ -9,6 +9,7 @@ use interface::InterfaceError;
 use interface::message::Failure;
 use thiserror::Error;
 
+use crate::bond::BondError;
 use crate::fault::Fault;
 use crate::flaw::Flaw;
 
@@ -109,7 +110,7 @@ pub enum DemError {
     },
     /// Grains do not fit.
     #[error(
-        "insertion {insertion}: {fitted} of {wanted} grains fitted without overlap; ask for fewer or smaller grains, or for a larger box"
+        "insertion {insertion}: {fitted} of {wanted} grains fitted: {why}; ask for fewer or smaller grains, or for a larger region"
     )]
     NoRoom {
         /// Name of the insertion.
@@ -118,6 +119,8 @@ pub enum DemError {
         fitted: usize,
         /// How many were asked for.
         wanted: usize,
+        /// What was in the way of the next.
+        why: String,
     },
     /// A file cannot be read.
     #[error("{path}: {source}; check the path and its permissions")]
@@ -135,6 +138,9 @@ pub enum DemError {
         /// Where in it, what is wrong and what is allowed.
         flaw: Flaw,
     },
+    /// A bond cannot be.
+    #[error(transparent)]
+    Bond(#[from] BondError),
     /// The case is refused.
     #[error(transparent)]
     Case(#[from] CaseError),

@@ -1,23 +1,24 @@
 //! The grains: packed rows, one per grain, near neighbours near in memory.
 
-use crate::vector::{Spin, Vector};
+use crate::lanes::{Row4, Row8};
+use crate::vector::{Spin, Vector, embed, restrict};
 
-/// Where a grain is and how large: `[x y z r]`.
+/// Where a grain is and how large, `[x y z r]`; z = 0 in 2D.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct Place<const D: usize> {
+#[repr(C, align(32))]
+pub struct Place {
     /// Centre x \[m\].
-    pub centre: Vector<D>,
+    pub centre: Spin,
     /// Radius r \[m\].
     pub radius: f64,
 }
 
-/// How a grain moves, and how it resists: `[v 1/m | ω 1/I]`.
+/// How a grain moves, and how it resists, `[v 1/m | ω 1/I]`; in 2D only v_x, v_y and ω_z are not 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct Motion<const D: usize> {
+#[repr(C, align(64))]
+pub struct Motion {
     /// Velocity v \[m/s\].
-    pub velocity: Vector<D>,
+    pub velocity: Spin,
     /// 1/m \[1/kg\]; 0 for a frozen grain.
     pub inverse_mass: f64,
     /// Angular velocity ω \[rad/s\].
@@ -26,11 +27,19 @@ pub struct Motion<const D: usize> {
     pub inverse_inertia: f64,
 }
 
-impl<const D: usize> Motion<D> {
+impl Place {
+    /// The centre in the space of the scene.
+    #[inline]
+    pub fn at<const D: usize>(&self) -> Vector<D> {
+        restrict(&self.centre)
+    }
+}
+
+impl Motion {
     /// That of a grain fixed in place: no velocity, and no force gives it one.
     pub fn frozen() -> Self {
         Self {
-            velocity: Vector::zeros(),
+            velocity: Spin::zeros(),
             inverse_mass: 0.0,
             angular_velocity: Spin::zeros(),
             inverse_inertia: 0.0,
@@ -92,13 +101,13 @@ impl<const D: usize> Grain<D> {
 
 /// All grains. Row `i` of every array is the same grain.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Grains<const D: usize> {
+pub struct Grains {
     /// Identity: 0, 1, 2, … in order of birth, never reused.
     pub id: Vec<u64>,
     /// Places.
-    pub place: Vec<Place<D>>,
+    pub place: Vec<Place>,
     /// Motions.
-    pub motion: Vec<Motion<D>>,
+    pub motion: Vec<Motion>,
     /// Masses m \[kg\], of frozen grains too.
     pub mass: Vec<f64>,
     /// Materials, as indices.
@@ -117,7 +126,7 @@ pub fn volume<const D: usize>(radius: f64, depth: f64) -> f64 {
     if D == 2 { PI * radius * radius * depth } else { 4.0 / 3.0 * PI * radius.powi(3) }
 }
 
-impl<const D: usize> Grains<D> {
+impl Grains {
     /// No grain.
     pub fn new() -> Self {
         Self { id: vec![], place: vec![], motion: vec![], mass: vec![], material: vec![] }
@@ -134,15 +143,15 @@ impl<const D: usize> Grains<D> {
     }
 
     /// Adds a grain of this identity and mass as the last row.
-    pub fn push(&mut self, id: u64, grain: &Grain<D>, mass: f64) {
+    pub fn push<const D: usize>(&mut self, id: u64, grain: &Grain<D>, mass: f64) {
         let free = Motion {
-            velocity: grain.velocity,
+            velocity: embed(&grain.velocity),
             inverse_mass: 1.0 / mass,
             angular_velocity: grain.angular_velocity,
             inverse_inertia: 1.0 / inertia::<D>(mass, grain.radius),
         };
         self.id.push(id);
-        self.place.push(Place { centre: grain.centre, radius: grain.radius });
+        self.place.push(Place { centre: embed(&grain.centre), radius: grain.radius });
         self.motion.push(if grain.frozen { Motion::frozen() } else { free });
         self.mass.push(mass);
         self.material.push(grain.material);
@@ -160,6 +169,16 @@ impl<const D: usize> Grains<D> {
         pick(&mut self.material, order);
     }
 
+    /// Largest radius \[m\]; 0 without grains.
+    pub fn largest_radius(&self) -> f64 {
+        self.place.iter().map(|place| place.radius).fold(0.0, f64::max)
+    }
+
+    /// Mean diameter \[m\]; 0 without grains.
+    pub fn mean_diameter(&self) -> f64 {
+        2.0 * self.place.iter().map(|place| place.radius).sum::<f64>() / self.len().max(1) as f64
+    }
+
     /// Copies `other` into memory that is already here.
     pub fn copy_from(&mut self, other: &Self) {
         self.id.clone_from(&other.id);
@@ -170,8 +189,43 @@ impl<const D: usize> Grains<D> {
     }
 }
 
-impl<const D: usize> Default for Grains<D> {
+impl Default for Grains {
     fn default() -> Self {
         Self::new()
     }
 }
+
+/// Rows as lanes load them.
+pub trait AsRows {
+    /// What a row is to lanes.
+    type Row;
+
+    /// The same numbers.
+    fn as_rows(&self) -> &[Self::Row];
+
+    /// The same numbers.
+    fn as_rows_mut(&mut self) -> &mut [Self::Row];
+}
+
+macro_rules! as_rows {
+    ($one:ty, $row:ty) => {
+        const _: () =
+            assert!(size_of::<$one>() == size_of::<$row>() && align_of::<$one>() == align_of::<$row>());
+
+        impl AsRows for [$one] {
+            type Row = $row;
+
+            fn as_rows(&self) -> &[$row] {
+                // SAFETY: both are `repr(C)`, f64 throughout, of one size and alignment.
+                unsafe { std::slice::from_raw_parts(self.as_ptr().cast(), self.len()) }
+            }
+
+            fn as_rows_mut(&mut self) -> &mut [$row] {
+                // SAFETY: as above.
+                unsafe { std::slice::from_raw_parts_mut(self.as_mut_ptr().cast(), self.len()) }
+            }
+        }
+    };
+}
+as_rows!(Place, Row4);
+as_rows!(Motion, Row8);

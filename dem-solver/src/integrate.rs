@@ -3,78 +3,55 @@
 use interface::HydroRow;
 use rayon::prelude::*;
 
-use crate::contact::{CHUNK, Chunk, Incoming, Load};
+use crate::engine::{Advance, Arriving, Fastest, Fly, Join, Moved, Rows, Speeds, by_target};
 use crate::fault::Fault;
-use crate::grains::{Motion, Place};
+use crate::grains::{AsRows, Motion, Place};
+use crate::lanes::{Backend, Row8};
 use crate::relaxation::Relaxation;
 use crate::scene::{Escape, Scene};
-use crate::vector::{Spin, Vector, embed, restrict};
+use crate::vector::{Spin, embed, restrict};
 use crate::workspace::{ChunkScratch, Impulse, Workspace};
 use crate::world::World;
 
-/// Smallest box around the displacements of grains since the neighbour list was built.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Displacement<const D: usize> {
-    lower: Vector<D>,
-    upper: Vector<D>,
-}
-
-impl<const D: usize> Displacement<D> {
-    /// Of no grain.
-    pub fn none() -> Self {
-        Self { lower: Vector::from_element(f64::INFINITY), upper: Vector::from_element(f64::NEG_INFINITY) }
-    }
-
-    /// Of walls, which stay.
-    pub fn of_rest() -> Self {
-        Self { lower: Vector::zeros(), upper: Vector::zeros() }
-    }
-
-    #[inline]
-    fn add(&mut self, displacement: &Vector<D>) {
-        self.lower = self.lower.inf(displacement);
-        self.upper = self.upper.sup(displacement);
-    }
-
-    /// Around both.
-    pub fn joined(&self, other: &Self) -> Self {
-        Self { lower: self.lower.inf(&other.lower), upper: self.upper.sup(&other.upper) }
-    }
-
-    /// No two bodies came nearer by more than this \[m\]; a motion that all share does not count.
-    pub fn largest_approach(&self) -> f64 {
-        if self.lower[0] > self.upper[0] { 0.0 } else { (self.upper - self.lower).norm() }
-    }
-}
+/// Grains that one task flies.
+const FLOCK: usize = 8192;
 
 /// Flies all grains for `time` \[s\] at their velocities.
-pub fn drift<const D: usize>(world: &mut World<D>, workspace: &mut Workspace<D>, time: f64) {
-    let World { grains, contacts, .. } = world;
-    let (motion, reference) = (&grains.motion, &contacts.reference);
-    let chunks = grains.place.par_chunks_mut(CHUNK).zip(&mut workspace.chunks).enumerate();
-    chunks.for_each(|(index, (places, scratch))| {
-        scratch.displacement = Displacement::none();
-        for (place, row) in places.iter_mut().zip(index * CHUNK..) {
-            place.centre += motion[row].velocity * time;
-            if let Some(reference) = reference.get(row) {
-                scratch.displacement.add(&(place.centre - reference));
-            }
-        }
-    });
+pub fn drift<const D: usize>(world: &mut World<D>, workspace: &Workspace<D>, time: f64) {
+    let World { grains, contacts, bonds, .. } = world;
+    bonds.fly(time);
+    let (backend, frame) = (workspace.backend, contacts.approach.frame);
+    let flocks = grains.place.par_chunks_mut(FLOCK).zip(grains.motion.par_chunks(FLOCK));
+    let fly = |(places, motions): (&mut [Place], &[Motion])| {
+        let (places, motions) = (places.as_rows_mut(), motions.as_rows());
+        backend.run(Fly { places, motions, flight: time, frame })
+    };
+    let fastest = flocks.map(fly).reduce(Fastest::none, |all, of_flock| all.joined(&of_flock));
+    contacts.approach = fastest.approach();
+    contacts.spend(&fastest.approach(), time);
 }
 
-/// What the integration of a chunk reads.
+/// One chunk at work: it alone writes its grains, their loads and its scratch.
+struct Task<'a, const D: usize> {
+    first: usize,
+    places: &'a mut [Place],
+    motions: &'a mut [Motion],
+    loads: &'a mut [Row8],
+    arriving: Vec<Arriving<'a>>,
+    scratch: &'a mut ChunkScratch<D>,
+    impulses: &'a mut [Impulse<D>],
+}
+
+/// What the integration reads.
 struct Inputs<'a, const D: usize> {
     scene: &'a Scene<D>,
+    backend: Backend,
     id: &'a [u64],
     mass: &'a [f64],
-    reference: &'a [Vector<D>],
-    loads: &'a [Vec<Load<D>>],
-    contacts: &'a [Chunk<D>],
-    incoming: &'a [Vec<Incoming>],
     hydro: Option<(&'a [HydroRow], &'a [Relaxation])>,
     step: f64,
     flight: f64,
+    frame: [f64; 3],
 }
 
 /// Gives the grains the momentum of one substep \[s\], then flies them for `flight` \[s\].
@@ -82,6 +59,9 @@ struct Inputs<'a, const D: usize> {
 /// Positions enter at the middle of the substep, where the forces were found. Over a window of equal substeps
 /// this is the central-difference scheme x(½) → v(1) → x(1½) → …, with half a flight at either end
 /// (position Verlet): the state between windows is x and v at one instant, and nothing else.
+///
+/// Loads that chunks put on each other's rows are joined in the order of chunks: the same bits from any number of
+/// threads.
 pub fn advance<const D: usize>(
     scene: &Scene<D>,
     world: &mut World<D>,
@@ -90,135 +70,157 @@ pub fn advance<const D: usize>(
     step: f64,
     flight: f64,
 ) {
-    let World { grains, contacts, .. } = world;
-    let Workspace { chunks: scratches, loads, relaxation, impulse, .. } = workspace;
+    let World { grains, contacts, bonds, .. } = world;
+    bonds.fly(flight);
+    let Workspace { backend, chunks: scratches, loads, relaxation, impulse, late, .. } = workspace;
     let inputs = Inputs {
         scene,
+        backend: *backend,
         id: &grains.id,
         mass: &grains.mass,
-        reference: &contacts.reference,
-        loads,
-        contacts: &contacts.chunks,
-        incoming: &contacts.incoming,
         hydro: hydro.map(|rows| (rows, relaxation.as_slice())),
         step,
         flight,
+        frame: contacts.approach.frame,
     };
-    let rows = grains.place.par_chunks_mut(CHUNK).zip(grains.motion.par_chunks_mut(CHUNK));
-    let chunks = rows.zip(scratches).enumerate();
-    if hydro.is_some() {
-        chunks.zip(impulse.par_chunks_mut(CHUNK)).for_each(
-            |((index, ((places, motions), scratch)), impulses)| {
-                inputs.advance_chunk(index, places, motions, scratch, impulses);
-            },
-        );
-    } else {
-        chunks.for_each(|(index, ((places, motions), scratch))| {
-            inputs.advance_chunk(index, places, motions, scratch, &mut []);
+    let (mut places, mut motions) = (grains.place.as_mut_slice(), grains.motion.as_mut_slice());
+    let mut impulses = impulse.as_mut_slice();
+    let mut tasks = Vec::with_capacity(contacts.chunks.len());
+    let parts = by_target(&contacts.chunks, loads).into_iter().zip(scratches);
+    for (chunk, ((loads, arriving), scratch)) in contacts.chunks.iter().zip(parts) {
+        let count = chunk.rows.len();
+        let (of_places, later_places) = places.split_at_mut(count);
+        let (of_motions, later_motions) = motions.split_at_mut(count);
+        let (of_impulses, later_impulses) = impulses.split_at_mut(count.min(impulses.len()));
+        (places, motions, impulses) = (later_places, later_motions, later_impulses);
+        tasks.push(Task {
+            first: chunk.rows.start,
+            places: of_places,
+            motions: of_motions,
+            loads,
+            arriving,
+            scratch,
+            impulses: of_impulses,
         });
     }
+    let fastest: Vec<Fastest> = tasks.into_par_iter().map(|task| inputs.advance_chunk(task)).collect();
+    let before = contacts.approach;
+    let after = fastest.iter().fold(Fastest::none(), |all, of_chunk| all.joined(of_chunk)).approach();
+    contacts.spend(&after, flight);
+    // A grain that relaxes to the fluid flies on with some of its velocity before, and catches up.
+    contacts.spend(&before, *late * step);
+    contacts.spend(&after, *late * step);
+    contacts.approach = after;
 }
 
 impl<const D: usize> Inputs<'_, D> {
-    fn advance_chunk(
+    fn advance_chunk(&self, task: Task<D>) -> Fastest {
+        let Task { first, places, motions, loads, arriving, scratch, impulses } = task;
+        for from in arriving {
+            self.backend.run(Join { first, from, to: &mut *loads });
+        }
+        let moved = match self.hydro {
+            None => {
+                let grains = Rows { places: places.as_rows_mut(), motions: motions.as_rows_mut() };
+                let Self { step, flight, frame, .. } = *self;
+                let gravity = embed(&self.scene.gravity).into();
+                self.backend.run(Advance { grains, loads, gravity, step, flight, frame })
+            }
+            Some(fluid) => self.advance_in_fluid(first, places, motions, loads, impulses, fluid),
+        };
+        scratch.frozen_impulse += restrict(&Spin::from(moved.held));
+        if self.is_off(&moved) {
+            let grains = places.iter().zip(motions.iter()).zip(&self.id[first..]);
+            let fault = grains.into_iter().find_map(|((place, motion), &id)| self.fault(id, place, motion));
+            scratch.fault = scratch.fault.or(fault);
+        }
+        moved.fastest
+    }
+
+    fn advance_in_fluid(
         &self,
-        index: usize,
-        places: &mut [Place<D>],
-        motions: &mut [Motion<D>],
-        scratch: &mut ChunkScratch<D>,
+        first: usize,
+        places: &mut [Place],
+        motions: &mut [Motion],
+        loads: &mut [Row8],
         impulses: &mut [Impulse<D>],
-    ) {
-        self.join_loads(index, places.len(), &mut scratch.total);
-        scratch.displacement = Displacement::none();
-        for (k, (place, motion)) in places.iter_mut().zip(motions).enumerate() {
-            let row = index * CHUNK + k;
-            let load = scratch.total[k];
-            if motion.is_frozen() {
-                scratch.frozen_impulse += load.force * self.step;
-            }
-            match self.hydro {
-                None => self.kick(load, place, motion),
-                Some((rows, relaxations)) => {
-                    let fluid = (&rows[row], &relaxations[row]);
-                    self.kick_in_fluid(row, load, fluid, place, motion, &mut impulses[k]);
-                }
-            }
-            if let Some(reference) = self.reference.get(row) {
-                scratch.displacement.add(&(place.centre - reference));
-            }
-            self.inspect(row, place, motion, &mut scratch.fault);
+        (hydro, relaxations): (&[HydroRow], &[Relaxation]),
+    ) -> Moved {
+        let mut moved = Moved::none();
+        let grains = places.iter_mut().zip(motions.iter_mut()).zip(loads).zip(impulses).zip(first..);
+        for ((((place, motion), load), impulse), row) in grains {
+            let Row8([fx, fy, fz, _, tx, ty, tz, _]) = std::mem::take(load);
+            let (force, torque) = (Spin::new(fx, fy, fz), Spin::new(tx, ty, tz));
+            let before = if motion.is_frozen() { force * self.step } else { Spin::zeros() };
+            (0..3).for_each(|axis| moved.held[axis] += before[axis]);
+            self.kick((force, torque), row, (&hydro[row], &relaxations[row]), place, motion, impulse);
+            moved.see(place, motion);
         }
-    }
-
-    /// Loads of the chunk's own pairs, then those that earlier chunks put on its rows, in their order.
-    fn join_loads(&self, index: usize, rows: usize, total: &mut Vec<Load<D>>) {
-        total.clear();
-        total.extend_from_slice(&self.loads[index][..rows]);
-        for part in self.incoming.get(index).into_iter().flatten() {
-            let source = part.source as usize;
-            let overhang = &self.loads[source][CHUNK..];
-            let range = part.begin as usize..part.end as usize;
-            for (&row, &load) in self.contacts[source].overhang[range.clone()].iter().zip(&overhang[range]) {
-                total[row as usize - index * CHUNK] += load;
-            }
-        }
+        moved.fastest = self.backend.run(Speeds { motions: motions.as_rows(), frame: self.frame });
+        moved
     }
 
     #[inline]
-    fn kick(&self, load: Load<D>, place: &mut Place<D>, motion: &mut Motion<D>) {
-        if !motion.is_frozen() {
-            motion.velocity += (load.force * motion.inverse_mass + self.scene.gravity) * self.step;
-            motion.angular_velocity += load.torque * (motion.inverse_inertia * self.step);
-            place.centre += motion.velocity * self.flight;
-        }
-    }
-
-    #[inline]
-    fn kick_in_fluid(
+    fn kick(
         &self,
+        (force, torque): (Spin, Spin),
         row: usize,
-        load: Load<D>,
         (hydro, relaxation): (&HydroRow, &Relaxation),
-        place: &mut Place<D>,
-        motion: &mut Motion<D>,
+        place: &mut Place,
+        motion: &mut Motion,
         impulse: &mut Impulse<D>,
     ) {
         let step = self.step;
         let beta = hydro.exchange_coefficient;
-        let fluid_velocity: Vector<D> = restrict(&Spin::from(hydro.fluid_velocity));
+        let fluid_velocity = flat::<D>(hydro.fluid_velocity);
         if motion.is_frozen() {
             // Its support takes what the grain feels: all other forces hold it against the drag.
-            let drag = fluid_velocity * (beta * step);
+            let drag = restrict(&(fluid_velocity * (beta * step)));
             impulse.drag += drag;
             impulse.other -= drag;
             return;
         }
-        let explicit: Vector<D> = restrict(&Spin::from(hydro.force));
-        let others = load.force + self.scene.gravity * self.mass[row] + explicit;
+        let others = force + embed(&self.scene.gravity) * self.mass[row] + flat::<D>(hydro.force);
         let before = motion.velocity;
         let pull = others + (fluid_velocity - before) * beta;
         let change = pull * relaxation.gain;
         let mean = before + pull * relaxation.lead;
         motion.velocity += change;
-        motion.angular_velocity += (load.torque + Spin::from(hydro.torque)) * (motion.inverse_inertia * step);
+        motion.angular_velocity += (torque + Spin::from(hydro.torque)) * (motion.inverse_inertia * step);
         place.centre += mean * step - before * (0.5 * step) + motion.velocity * (self.flight - 0.5 * step);
         // Two forms of one impulse: each is free of cancellation where it is used.
-        impulse.drag += if relaxation.exponent < 1.0 {
+        let drag = if relaxation.exponent < 1.0 {
             (fluid_velocity - mean) * (beta * step)
         } else {
             change * relaxation.inertia - others * step
         };
-        impulse.other += others * step;
+        impulse.drag += restrict(&drag);
+        impulse.other += restrict(&(others * step));
     }
 
-    #[inline]
-    fn inspect(&self, row: usize, place: &Place<D>, motion: &Motion<D>, fault: &mut Option<Fault>) {
-        let grain = self.id[row];
+    /// Whether some grain is not finite, or has left a domain that it must not leave.
+    fn is_off(&self, moved: &Moved) -> bool {
+        let inside = |corner: [f64; 3]| self.scene.domain.holds(&restrict(&Spin::from(corner)));
+        let left = moved.lowest[0] <= moved.highest[0]
+            && self.scene.escape == Escape::Stop
+            && !(inside(moved.lowest) && inside(moved.highest));
+        left || !moved.sum.is_finite()
+    }
+
+    #[cold]
+    fn fault(&self, grain: u64, place: &Place, motion: &Motion) -> Option<Fault> {
         // A sum is finite only if every term is.
         if !(motion.velocity.sum() + motion.angular_velocity.sum() + place.centre.sum()).is_finite() {
-            fault.get_or_insert(Fault::NotFinite { grain });
-        } else if self.scene.escape == Escape::Stop && !self.scene.domain.holds(&place.centre) {
-            fault.get_or_insert(Fault::Escaped { grain, at: embed(&place.centre).into() });
+            Some(Fault::NotFinite { grain })
+        } else if self.scene.escape == Escape::Stop && !self.scene.domain.holds(&place.at()) {
+            Some(Fault::Escaped { grain, at: place.centre.into() })
+        } else {
+            None
         }
     }
+}
+
+/// Three components as they come from the coupler; those that the scene does not have are 0.
+fn flat<const D: usize>(vector: [f64; 3]) -> Spin {
+    embed(&restrict::<D>(&Spin::from(vector)))
 }

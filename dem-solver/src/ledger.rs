@@ -29,7 +29,7 @@ pub struct Ledger<const D: usize> {
     pub gravity: Vector<D>,
     /// Impulse of all walls.
     pub walls: Vector<D>,
-    /// Impulse of frozen grains, through contacts.
+    /// Impulse of frozen grains, through contacts and bonds.
     pub frozen: Vector<D>,
     /// Drag impulse.
     pub drag: Vector<D>,
@@ -70,7 +70,8 @@ impl<const D: usize> Ledger<D> {
         for (row, relaxation) in workspace.relaxation.iter().enumerate() {
             let motion = &world.grains.motion[row];
             if !motion.is_frozen() {
-                ledger.added_mass -= motion.velocity * (relaxation.inertia - world.grains.mass[row]);
+                ledger.added_mass -=
+                    restrict::<D>(&motion.velocity) * (relaxation.inertia - world.grains.mass[row]);
             }
         }
         ledger
@@ -95,7 +96,7 @@ impl<const D: usize> Ledger<D> {
                 self.gravity += scene.gravity * (mass * duration);
                 self.scale += mass * (scene.gravity.norm() * duration + motion.velocity.norm());
                 self.kinetic_energy += kinetic_energy(motion);
-                self.potential_energy -= mass * scene.gravity.dot(&grains.place[row].centre);
+                self.potential_energy -= mass * scene.gravity.dot(&grains.place[row].at());
             }
             if let Some(hydro) = hydro {
                 let explicit: Vector<D> = restrict(&Spin::from(hydro[row].force)) * duration;
@@ -106,17 +107,13 @@ impl<const D: usize> Ledger<D> {
                 } else {
                     self.drag += drag;
                     self.explicit += explicit;
-                    self.added_mass += motion.velocity * (workspace.relaxation[row].inertia - mass);
+                    self.added_mass +=
+                        restrict::<D>(&motion.velocity) * (workspace.relaxation[row].inertia - mass);
                 }
             }
         }
-        self.wall_impulse = vec![WallImpulse::zero(); scene.walls.len()];
-        for chunk in &workspace.chunks {
-            self.frozen -= chunk.frozen_impulse;
-            for (total, &impulse) in self.wall_impulse.iter_mut().zip(&chunk.wall_impulse) {
-                *total += impulse;
-            }
-        }
+        self.wall_impulse = workspace.wall_impulse(scene.walls.len());
+        self.frozen = -workspace.chunks.iter().map(|chunk| chunk.frozen_impulse).sum::<Vector<D>>();
         self.walls = -self.wall_impulse.iter().map(|wall| wall.linear).sum::<Vector<D>>();
         self.scale += self.walls.norm() + self.frozen.norm();
     }
@@ -151,11 +148,11 @@ impl<const D: usize> Ledger<D> {
 pub fn momentum<const D: usize>(world: &World<D>) -> Vector<D> {
     let grains = &world.grains;
     let moving = grains.motion.iter().zip(&grains.mass).filter(|(motion, _)| !motion.is_frozen());
-    moving.map(|(motion, &mass)| motion.velocity * mass).sum()
+    moving.map(|(motion, &mass)| restrict::<D>(&motion.velocity) * mass).sum()
 }
 
 /// Kinetic energy m v²/2 + I ω²/2 of a moving grain.
-fn kinetic_energy<const D: usize>(motion: &Motion<D>) -> f64 {
+fn kinetic_energy(motion: &Motion) -> f64 {
     0.5 * (motion.velocity.norm_squared() / motion.inverse_mass
         + motion.angular_velocity.norm_squared() / motion.inverse_inertia)
 }

@@ -26,10 +26,17 @@ pub struct PairMaterial {
     pub damping_ratio: f64,
     /// Coefficient of sliding friction μ \[-\].
     pub sliding_friction: f64,
+    /// Coefficient of rolling friction μ_r \[-\].
+    pub rolling_friction: f64,
+    /// Damping ratio η of rolling \[-\].
+    pub rolling_damping_ratio: f64,
+    /// Density k of cohesive energy \[J/m³\].
+    pub cohesion_energy_density: f64,
 }
 
 impl PairMaterial {
-    /// The pair of two materials with restitution e in (0, 1] and friction μ (Johnson 1985, Eqs. 4.22 and 7.43).
+    /// The pair of two materials with restitution e in (0, 1] and friction μ (Johnson 1985, Eqs. 4.22 and 7.43), that
+    /// neither resist rolling nor cohere.
     pub fn new(one: &Material, other: &Material, restitution: f64, sliding_friction: f64) -> Self {
         let both = |compliance: fn(&Material) -> f64| 1.0 / (compliance(one) + compliance(other));
         Self {
@@ -40,6 +47,9 @@ impl PairMaterial {
             restitution,
             damping_ratio: damping_ratio(restitution),
             sliding_friction,
+            rolling_friction: 0.0,
+            rolling_damping_ratio: 0.0,
+            cohesion_energy_density: 0.0,
         }
     }
 }
@@ -64,6 +74,16 @@ impl Materials {
         Self { list, pairs }
     }
 
+    /// The materials with more said of each pair.
+    pub fn with(mut self, say: impl Fn(usize, usize, &mut PairMaterial)) -> Self {
+        let count = self.list.len();
+        for (k, pair) in self.pairs.iter_mut().enumerate() {
+            let (one, other) = (k / count, k % count);
+            say(one.min(other), one.max(other), pair);
+        }
+        self
+    }
+
     /// The material of this index.
     pub fn get(&self, material: u32) -> &Material {
         &self.list[material as usize]
@@ -73,6 +93,11 @@ impl Materials {
     #[inline]
     pub fn pair(&self, one: u32, other: u32) -> &PairMaterial {
         &self.pairs[one as usize * self.list.len() + other as usize]
+    }
+
+    /// All pairs.
+    pub fn pairs(&self) -> &[PairMaterial] {
+        &self.pairs
     }
 
     /// Number of materials.

@@ -1,5 +1,6 @@
 //! The executable `dem-solver`.
 
+use crate::command::Command;
 use crate::couple::{DemParticipant, Frames};
 use crate::error::DemError;
 use crate::record::Record;
@@ -17,12 +18,13 @@ use interface::transport::{CommandReceiver, DemEnds, shared_memory};
 
 /// Runs the command line; returns the exit code.
 pub fn main() -> std::process::ExitCode {
-    interface::solver::main(Who::Dem, |part| {
+    let participate = |part: &Assignment| {
         // A pool that exists already computes the same bits.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(part.threads).build_global();
         let abandon = Box::new(|| std::process::exit(i32::from(ExitCode::PeerDied.code())));
         take_part(part, shared_memory::join_as_dem(part.run_id()?, part.deadlines(), abandon)?)
-    })
+    };
+    interface::solver::main(Who::Dem, participate, |command: Command| command.run().into())
 }
 
 /// Sets up the grains of a case and serves the coupler over any transport.

@@ -1,8 +1,11 @@
-//! What the grains leave on disk: `series/grains.csv`, `series/walls.csv`, `frames/grains-N.vtp`.
+//! What the grains leave on disk: `series/{grains,bulk,walls,bonds,turnover}.csv`, `frames/grains-N.vtp`.
 
+use crate::bond_series::{bond_row, bond_titles};
+use crate::bulk::{bulk_row, bulk_titles};
 use crate::error::DemError;
-use crate::vector::embed;
-use crate::wall::Walls;
+use crate::scene::Scene;
+use crate::turnover_series::{turnover_row, turnover_titles};
+use crate::vector::{embed, restrict};
 use crate::world::World;
 use case_io::output::series::{SeriesWriter, cut_after};
 use case_io::output::vtk::{Collection, Compression, Field, Format, GrainPoints, Precision};
@@ -29,8 +32,14 @@ pub struct Record {
     /// Whether the initial state is a frame.
     films_start: bool,
     series: Option<SeriesWriter>,
+    /// Only where grains can touch.
+    bulk: Option<SeriesWriter>,
     /// Only where there is a wall.
     walls: Option<SeriesWriter>,
+    /// Only where there are bonds.
+    bonds: Option<SeriesWriter>,
+    /// Only where grains may come or go.
+    turnover: Option<SeriesWriter>,
     frames: Option<Collection>,
 }
 
@@ -39,66 +48,103 @@ impl Record {
     pub fn new(out: &Path, compress: bool, films_start: bool) -> Record {
         let compression = if compress { Compression::Lz4 } else { Compression::None };
         let format = Format { precision: Precision::Single, compression };
-        Record { out: out.to_path_buf(), format, films_start, series: None, walls: None, frames: None }
+        Record {
+            out: out.to_path_buf(),
+            format,
+            films_start,
+            series: None,
+            bulk: None,
+            walls: None,
+            bonds: None,
+            turnover: None,
+            frames: None,
+        }
     }
 
-    fn paths(&self) -> [PathBuf; 3] {
-        ["series/grains.csv", "series/walls.csv", "frames/grains.pvd"].map(|path| self.out.join(path))
+    fn paths(&self) -> [PathBuf; 6] {
+        [
+            "series/grains.csv",
+            "series/bulk.csv",
+            "series/walls.csv",
+            "series/bonds.csv",
+            "series/turnover.csv",
+            "frames/grains.pvd",
+        ]
+        .map(|path| self.out.join(path))
     }
 
     /// Starts the series, and the frames if they are wanted in time, with the initial state.
     ///
     /// # Errors
     /// The disk's.
-    pub fn start<const D: usize>(&mut self, walls: &Walls<D>, world: &World<D>) -> Result<(), DemError> {
-        let [series, of_walls, frames] = self.paths();
+    pub fn start<const D: usize>(&mut self, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
+        let [series, of_bulk, of_walls, of_bonds, of_turnover, frames] = self.paths();
         self.series = Some(SeriesWriter::create(&series, &TITLES)?);
         self.frames = Some(Collection::create(&frames)?);
-        // Of walls there are means over intervals: none ends here.
+        // Of walls there are means over intervals: none ends here. Contacts are not known before the first window.
         self.grain_row(world)?;
-        if !walls.is_empty() {
-            let titles = wall_titles(walls);
-            let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
-            self.walls = Some(SeriesWriter::create(&of_walls, &titles)?);
-        }
+        self.bulk = begin(&of_bulk, &bulk_titles(scene))?;
+        self.walls = begin(&of_walls, &wall_titles(scene))?;
+        self.bonds = begin(&of_bonds, &bond_titles(scene))?;
+        self.bond_row(scene, world)?;
+        self.turnover = begin(&of_turnover, &turnover_titles(scene, world))?;
+        self.turnover_row(scene, world)?;
         if self.films_start { self.frame(world, 0) } else { Ok(()) }
     }
 
-    /// Goes on after `time`; later rows and frames are cut.
+    /// Goes on after the world's time; later rows and frames are cut.
     ///
     /// # Errors
     /// The disk's, or files of another program.
-    pub fn resume<const D: usize>(&mut self, walls: &Walls<D>, time: f64) -> Result<(), DemError> {
-        let [series, of_walls, frames] = self.paths();
+    pub fn resume<const D: usize>(&mut self, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
+        let time = world.time;
+        let [series, of_bulk, of_walls, of_bonds, of_turnover, frames] = self.paths();
         cut_after(&series, time)?;
         self.series = Some(SeriesWriter::append(&series, &TITLES)?);
-        if !walls.is_empty() {
-            let titles = wall_titles(walls);
-            let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
-            cut_after(&of_walls, time)?;
-            self.walls = Some(SeriesWriter::append(&of_walls, &titles)?);
-        }
+        self.bulk = go_on(&of_bulk, &bulk_titles(scene), time)?;
+        self.walls = go_on(&of_walls, &wall_titles(scene), time)?;
+        self.bonds = go_on(&of_bonds, &bond_titles(scene), time)?;
+        self.turnover = go_on(&of_turnover, &turnover_titles(scene, world), time)?;
         let mut collection = Collection::open(&frames)?;
         collection.truncate_after(time)?;
         self.frames = Some(collection);
         Ok(())
     }
 
-    /// Appends a row of the grains and one of the walls.
+    /// Appends a row of the grains, one of their contacts, one of the walls, one of the bonds and one of those that
+    /// came and went.
     ///
     /// # Errors
     /// The disk's.
-    pub fn row<const D: usize>(&mut self, walls: &Walls<D>, world: &World<D>) -> Result<(), DemError> {
+    pub fn row<const D: usize>(&mut self, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
         self.grain_row(world)?;
-        self.wall_row(walls, world)
+        self.bulk_row(scene, world)?;
+        self.wall_row(scene, world)?;
+        self.bond_row(scene, world)?;
+        self.turnover_row(scene, world)
+    }
+
+    fn bond_row<const D: usize>(&mut self, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
+        let Some(series) = &mut self.bonds else { return Ok(()) };
+        Ok(series.row(&bond_row(scene, world)?)?)
+    }
+
+    fn bulk_row<const D: usize>(&mut self, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
+        let Some(series) = &mut self.bulk else { return Ok(()) };
+        Ok(series.row(&bulk_row(scene, world))?)
+    }
+
+    fn turnover_row<const D: usize>(&mut self, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
+        let Some(series) = &mut self.turnover else { return Ok(()) };
+        Ok(series.row(&turnover_row(scene, world))?)
     }
 
     /// Force and torque of the grains on each wall, means over the time since the last row.
-    fn wall_row<const D: usize>(&mut self, walls: &Walls<D>, world: &World<D>) -> Result<(), DemError> {
+    fn wall_row<const D: usize>(&mut self, scene: &Scene<D>, world: &World<D>) -> Result<(), DemError> {
         let Some(series) = &mut self.walls else { return Ok(()) };
         let duration = world.time - world.received.since;
         let mut row = vec![world.time];
-        for (impulse, point) in world.received.impulse.iter().zip(&walls.torque_about) {
+        for (impulse, point) in world.received.impulse.iter().zip(&scene.walls.torque_about) {
             row.extend(&(embed(&impulse.linear) / duration));
             row.extend(&(impulse.about(point) / duration));
         }
@@ -113,7 +159,7 @@ impl Record {
         let (mut place, mut velocity) = ([0.0; 3], [0.0; 3]);
         let (mut fastest, mut highest, mut energy) = (0.0_f64, f64::NEG_INFINITY, 0.0);
         for (at, motion) in grains.place.iter().zip(&grains.motion) {
-            let (centre, speed) = (embed(&at.centre), embed(&motion.velocity));
+            let (centre, speed) = (at.centre, motion.velocity);
             (0..3).for_each(|k| {
                 place[k] += centre[k] / count;
                 velocity[k] += speed[k] / count;
@@ -139,9 +185,10 @@ impl Record {
     pub fn frame<const D: usize>(&mut self, world: &World<D>, number: u64) -> Result<(), DemError> {
         let Some(frames) = &mut self.frames else { return Ok(()) };
         let grains = &world.grains;
-        let centres: Vec<[f64; D]> = grains.place.iter().map(|place| place.centre.into()).collect();
+        let centres: Vec<[f64; D]> = grains.place.iter().map(|place| place.at::<D>().into()).collect();
         let radii: Vec<f64> = grains.place.iter().map(|place| place.radius).collect();
-        let velocities: Vec<[f64; D]> = grains.motion.iter().map(|motion| motion.velocity.into()).collect();
+        let velocities: Vec<[f64; D]> =
+            grains.motion.iter().map(|motion| restrict::<D>(&motion.velocity).into()).collect();
         let spins: Vec<[f64; 3]> =
             grains.motion.iter().map(|motion| motion.angular_velocity.into()).collect();
         let materials: Vec<u64> = grains.material.iter().map(|material| u64::from(*material)).collect();
@@ -159,11 +206,32 @@ impl Record {
     }
 }
 
+/// A new series, unless it would hold nothing but the time.
+fn begin(path: &Path, titles: &[String]) -> Result<Option<SeriesWriter>, DemError> {
+    if titles.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(SeriesWriter::create(path, &timed(titles))?))
+}
+
+/// A series that goes on after a time \[s\].
+fn go_on(path: &Path, titles: &[String], time: f64) -> Result<Option<SeriesWriter>, DemError> {
+    if titles.is_empty() {
+        return Ok(None);
+    }
+    cut_after(path, time)?;
+    Ok(Some(SeriesWriter::append(path, &timed(titles))?))
+}
+
+fn timed(titles: &[String]) -> Vec<&str> {
+    std::iter::once("t[s]").chain(titles.iter().map(String::as_str)).collect()
+}
+
 /// Force f and torque t, three components each.
-fn wall_titles<const D: usize>(walls: &Walls<D>) -> Vec<String> {
+fn wall_titles<const D: usize>(scene: &Scene<D>) -> Vec<String> {
     let of_wall = |name: &String| {
         let title = |(quantity, unit): (&str, &str)| format!("{name}-{quantity}[{unit}]");
         [("fx", "N"), ("fy", "N"), ("fz", "N"), ("tx", "N m"), ("ty", "N m"), ("tz", "N m")].map(title)
     };
-    std::iter::once("t[s]".to_string()).chain(walls.names.iter().flat_map(of_wall)).collect()
+    scene.walls.names.iter().flat_map(of_wall).collect()
 }

@@ -1,6 +1,8 @@
 //! What stays the same during a run: materials, walls, laws, gravity, the domain.
 
-use crate::contact::{Coefficients, NormalLaw, normal::Normal};
+use crate::bond::BondLaw;
+use crate::contact::{Coefficients, ExtraConstants, Extras, NormalLaw, normal::Normal};
+use crate::deletion::Deletion;
 use crate::domain::Domain;
 use crate::material::Materials;
 use crate::vector::Vector;
@@ -33,8 +35,14 @@ pub struct Scene<const D: usize> {
     pub materials: Materials,
     /// The normal contact law.
     pub normal_law: NormalLaw,
+    /// Laws besides normal and tangential force.
+    pub extras: Extras,
+    /// Laws of bonds.
+    pub bond_laws: Vec<BondLaw>,
     /// The walls.
     pub walls: Walls<D>,
+    /// Where grains are taken out.
+    pub deletions: Vec<Deletion<D>>,
 }
 
 impl<const D: usize> Scene<D> {
@@ -49,7 +57,10 @@ impl<const D: usize> Scene<D> {
             depth: 1.0,
             materials,
             normal_law,
+            extras: Extras::default(),
+            bond_laws: vec![],
             walls: Walls::new(vec![]),
+            deletions: vec![],
         }
     }
 
@@ -68,6 +79,16 @@ impl<const D: usize> Scene<D> {
         Self { walls, ..self }
     }
 
+    /// The scene with these laws besides normal and tangential force.
+    pub fn with_extras(self, extras: Extras) -> Self {
+        Self { extras, ..self }
+    }
+
+    /// The scene with these laws of bonds.
+    pub fn with_bond_laws(self, bond_laws: Vec<BondLaw>) -> Self {
+        Self { bond_laws, ..self }
+    }
+
     /// Constants of the contact of two materials at this effective radius \[m\] and effective mass \[kg\]; nothing
     /// where nothing touches.
     pub fn coefficients(&self, materials: (u32, u32), radius: f64, mass: f64) -> Option<Coefficients> {
@@ -79,5 +100,19 @@ impl<const D: usize> Scene<D> {
             NormalLaw::LiggghtsHertz(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
             NormalLaw::None => None,
         }
+    }
+
+    /// Constants of the laws besides normal and tangential force, of two materials whose contact has these
+    /// coefficients, at this effective radius \[m\] and inertia about the contact \[kg m²\].
+    pub fn extra_constants(
+        &self,
+        materials: (u32, u32),
+        coefficients: &Coefficients,
+        radius: f64,
+        inertia: f64,
+    ) -> ExtraConstants {
+        let pair = self.materials.pair(materials.0, materials.1);
+        let rolling = self.extras.rolling.map(|law| law.constants(coefficients, pair, radius, inertia));
+        ExtraConstants { rolling: rolling.unwrap_or_default(), cohesion: pair.cohesion_energy_density }
     }
 }

@@ -2,11 +2,11 @@
 
 use interface::HydroRow;
 
-use crate::contact::forces;
+use crate::bonded::pull_bonds;
+use crate::engine::{bring_up_lists, forces};
 use crate::error::DemError;
 use crate::integrate::advance;
 use crate::scene::Scene;
-use crate::search::{build_list, list_expired};
 use crate::workspace::Workspace;
 use crate::world::World;
 
@@ -26,13 +26,10 @@ pub fn step<const D: usize>(
     step: f64,
     flight: f64,
 ) -> Result<(), DemError> {
-    if list_expired(scene, world, workspace) {
-        build_list(scene, world, workspace.time)?;
-    }
+    bring_up_lists(scene, world, workspace, step)?;
     forces(scene, world, workspace, step);
+    let faulty = |fault, time| DemError::Fault { fault, time };
+    pull_bonds(scene, world, workspace).map_err(|fault| faulty(fault, workspace.time))?;
     advance(scene, world, workspace, hydro, step, flight);
-    match workspace.fault() {
-        Some(fault) => Err(DemError::Fault { fault, time: world.time }),
-        None => Ok(()),
-    }
+    workspace.fault().map_or(Ok(()), |fault| Err(faulty(fault, workspace.time)))
 }

@@ -1,9 +1,12 @@
 //! Births, removals and a new order: only between windows.
 
+use std::collections::HashSet;
+
+use crate::deletion::Taken;
+use crate::engine::{Periods, order_expired, put_in_order};
 use crate::error::DemError;
 use crate::scene::{Escape, Scene};
-use crate::search::{order_expired, put_in_order};
-use crate::vector::Vector;
+use crate::vector::{Vector, restrict};
 use crate::world::World;
 
 /// Grains that came or went.
@@ -23,7 +26,7 @@ impl<const D: usize> Crossed<D> {
         rows.fold(Self { count: 0, mass: 0.0, momentum: Vector::zeros() }, |sum, row| Self {
             count: sum.count + 1,
             mass: sum.mass + grains.mass[row],
-            momentum: sum.momentum + grains.motion[row].velocity * grains.mass[row],
+            momentum: sum.momentum + restrict::<D>(&grains.motion[row].velocity) * grains.mass[row],
         })
     }
 }
@@ -33,26 +36,20 @@ impl<const D: usize> Crossed<D> {
 pub struct Turnover<const D: usize> {
     /// Grains that were fed.
     pub born: Crossed<D>,
-    /// Grains that had left the domain.
+    /// Grains that had left the domain or that a deletion took.
     pub removed: Crossed<D>,
     /// Whether row i is another grain than before.
     pub order_changed: bool,
 }
 
-/// Removes grains that left the domain, feeds what is due at the world's time, and sorts the rows when that pays.
+/// Removes grains that left the domain and those in deletions, feeds what is due at the world's time, and sorts the rows
+/// when that pays.
 ///
 /// # Errors
 /// A grain that is neither here nor booked as removed.
 pub fn turn_over<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Result<Turnover<D>, DemError> {
-    let stays = |row: &u32| {
-        scene.escape == Escape::Stop || scene.domain.holds(&world.grains.place[*row as usize].centre)
-    };
-    let (staying, leaving): (Vec<u32>, Vec<u32>) = (0..world.grains.len() as u32).partition(stays);
-    let removed = Crossed::of(world, leaving.iter().map(|&row| row as usize));
-    if !leaving.is_empty() {
-        world.reorder(&staying);
-        world.removed += removed.count;
-    }
+    wrap(scene, world);
+    let removed = remove(scene, world);
     let before = world.grains.len();
     let mut feeds = std::mem::take(&mut world.feeds);
     for feed in &mut feeds {
@@ -68,4 +65,48 @@ pub fn turn_over<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Resu
         return Err(DemError::Lost { found: world.grains.len(), born: world.born, removed: world.removed });
     }
     Ok(Turnover { born, removed, order_changed: fading || born.count + removed.count > 0 })
+}
+
+/// Brings all centres back into the domain along its periodic axes.
+fn wrap<const D: usize>(scene: &Scene<D>, world: &mut World<D>) {
+    let periods = Periods::new(&scene.domain);
+    for place in &mut world.grains.place {
+        let before = place.centre;
+        periods.wrap(&mut place.centre);
+        if place.centre != before {
+            // Walls are known by the image that is near them.
+            world.contacts.spent.walls = f64::INFINITY;
+        }
+    }
+}
+
+/// Removes the grains that go, and books each with the deletion that took it, or with those that left the domain.
+fn remove<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Crossed<D> {
+    let taker = |centre: &Vector<D>| {
+        let escaped = || {
+            (scene.escape == Escape::Remove && !scene.domain.holds(centre)).then_some(scene.deletions.len())
+        };
+        scene.deletions.iter().position(|deletion| deletion.takes(centre)).or_else(escaped)
+    };
+    let (mut staying, mut leaving) = (Vec::new(), Vec::new());
+    for row in 0..world.grains.len() {
+        match taker(&world.grains.place[row].at()) {
+            None => staying.push(row as u32),
+            Some(taker) => leaving.push((row, taker)),
+        }
+    }
+    let removed = Crossed::of(world, leaving.iter().map(|&(row, _)| row));
+    if leaving.is_empty() {
+        return removed;
+    }
+    world.taken.resize(scene.deletions.len() + 1, Taken::default());
+    for &(row, taker) in &leaving {
+        world.taken[taker].count += 1;
+        world.taken[taker].mass += world.grains.mass[row];
+    }
+    let gone: HashSet<u64> = leaving.iter().map(|&(row, _)| world.grains.id[row]).collect();
+    world.bonds.sweep(|grain| !gone.contains(&grain));
+    world.reorder(&staying);
+    world.removed += removed.count;
+    removed
 }

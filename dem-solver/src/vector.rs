@@ -2,6 +2,8 @@
 
 use nalgebra::SVector;
 
+use crate::lanes::Vec3;
+
 /// A vector in the space of the scene.
 pub type Vector<const D: usize> = SVector<f64, D>;
 
@@ -30,4 +32,16 @@ pub fn spin_velocity<const D: usize>(angular_velocity: &Spin, arm: &Vector<D>) -
 #[inline]
 pub fn moment<const D: usize>(arm: &Vector<D>, force: &Vector<D>) -> Spin {
     embed(arm).cross(&embed(force))
+}
+
+/// The vector as the contact laws take it.
+#[inline]
+pub fn lane(v: &Spin) -> Vec3<f64> {
+    Vec3::new(v.x, v.y, v.z)
+}
+
+/// A vector of the contact laws.
+#[inline]
+pub fn unlane(v: Vec3<f64>) -> Spin {
+    Spin::new(v.x, v.y, v.z)
 }

@@ -2,11 +2,14 @@
 
 use interface::HydroRow;
 
+use crate::bonded::links;
+use crate::engine::bring_up_lists;
 use crate::error::DemError;
 use crate::integrate::drift;
 use crate::ledger::Ledger;
 use crate::relaxation::Relaxation;
 use crate::scene::Scene;
+use crate::sliding::Sliding;
 use crate::step::step;
 use crate::workspace::{Impulse, Workspace};
 use crate::world::World;
@@ -16,7 +19,7 @@ use crate::world::World;
 /// What each grain received is left in `workspace.impulse` when there is a fluid.
 ///
 /// # Errors
-/// The first fault of a step; a window that is no time; rows of the fluid that do not fit the grains.
+/// The first fault of a step; a window that is no time; a bond without its grains; rows of the fluid that do not fit the grains.
 pub fn window<const D: usize>(
     scene: &Scene<D>,
     world: &mut World<D>,
@@ -29,7 +32,8 @@ pub fn window<const D: usize>(
     if !(dt > 0.0 && dt.is_finite()) {
         return Err(DemError::BadWindow { window: duration, substeps });
     }
-    workspace.open(world, scene.walls.len());
+    workspace.open(scene, world);
+    workspace.links = links(scene, world)?;
     if let Some(rows) = hydro {
         relax(world, workspace, rows, dt)?;
     }
@@ -37,15 +41,39 @@ pub fn window<const D: usize>(
     // Inside the pool, parallel loops of a step start without a call across threads.
     rayon::scope(|_| {
         drift(world, workspace, 0.5 * dt);
+        let mut slide = Sliding::open(scene, world, 0.5 * dt);
         (1..=substeps).try_for_each(|k| {
-            workspace.enter(scene, world.time + (f64::from(k) - 0.5) * dt);
-            step(scene, world, workspace, hydro, dt, if k < substeps { dt } else { 0.5 * dt })
+            let flight = if k < substeps { dt } else { 0.5 * dt };
+            workspace.enter(scene, world, world.time + (f64::from(k) - 0.5) * dt);
+            step(scene, world, workspace, hydro, dt, flight)?;
+            slide.on(scene, world, workspace, dt, flight);
+            Ok::<(), DemError>(())
         })
     })?;
     world.time += duration;
     ledger.close(scene, world, workspace, hydro, duration);
     world.received.add(&ledger.wall_impulse);
     Ok(ledger)
+}
+
+/// Makes the lists anew if they expired between two windows, so that all who read them know the present contacts;
+/// `step` \[s\] sizes their skins.
+///
+/// # Errors
+/// A periodic axis that is too short; a bond without its grains.
+pub fn relist<const D: usize>(
+    scene: &Scene<D>,
+    world: &mut World<D>,
+    workspace: &mut Workspace<D>,
+    step: f64,
+) -> Result<(), DemError> {
+    if !world.contacts.has_expired() {
+        return Ok(());
+    }
+    workspace.open(scene, world);
+    workspace.links = links(scene, world)?;
+    workspace.enter(scene, world, world.time);
+    bring_up_lists(scene, world, workspace, step)
 }
 
 fn relax<const D: usize>(
@@ -67,6 +95,9 @@ fn relax<const D: usize>(
     let relaxation =
         |(row, mass): (&HydroRow, &f64)| Relaxation::new(mass + row.added_mass, row.exchange_coefficient, dt);
     workspace.relaxation.extend(hydro.iter().zip(&grains.mass).map(relaxation));
+    // The mean velocity is before + lead/gain (after - before): 1/2 where nothing relaxes.
+    let late = workspace.relaxation.iter().map(|relaxation| relaxation.lead / relaxation.gain - 0.5);
+    workspace.late = late.fold(0.0, f64::max);
     workspace.impulse.resize(grains.len(), Impulse::zero());
     Ok(())
 }

@@ -1,8 +1,10 @@
 //! Scratch: nothing here outlives a window, nothing of it is ever stored.
 
-use crate::contact::{CHUNK, Load, Pressed, WallContact, chunk_count};
+use crate::bond::Links;
+use crate::contact::Pressed;
+use crate::engine::{ChunkLoads, ContactList, Periods, Planes, WallContact};
 use crate::fault::Fault;
-use crate::integrate::Displacement;
+use crate::lanes::Backend;
 use crate::relaxation::Relaxation;
 use crate::scene::Scene;
 use crate::vector::Vector;
@@ -28,16 +30,12 @@ impl<const D: usize> Impulse<D> {
 /// Scratch of one chunk of grains.
 #[derive(Clone, Debug)]
 pub struct ChunkScratch<const D: usize> {
-    /// Loads on the chunk's rows, joined.
-    pub total: Vec<Load<D>>,
     /// What each wall received in this window.
     pub wall_impulse: Vec<WallImpulse<D>>,
     /// Impulse given to frozen grains by contacts in this window \[N s\].
     pub frozen_impulse: Vector<D>,
-    /// How far the chunk's grains are from where the neighbour list saw them.
-    pub displacement: Displacement<D>,
     /// Wall contacts of the last step.
-    pub old_wall_contacts: Vec<WallContact<D>>,
+    pub old_wall_contacts: Vec<WallContact>,
     /// Surfaces that one grain presses into.
     pub pressed: Vec<Pressed<D>>,
     /// The first thing that went wrong.
@@ -47,83 +45,115 @@ pub struct ChunkScratch<const D: usize> {
 impl<const D: usize> ChunkScratch<D> {
     fn new() -> Self {
         Self {
-            total: vec![],
             wall_impulse: vec![],
             frozen_impulse: Vector::zeros(),
-            displacement: Displacement::none(),
             old_wall_contacts: vec![],
             pressed: vec![],
             fault: None,
         }
+    }
+
+    fn open(&mut self, walls: usize) {
+        self.wall_impulse.clear();
+        self.wall_impulse.resize(walls, WallImpulse::zero());
+        self.frozen_impulse = Vector::zeros();
+        self.fault = None;
     }
 }
 
 /// All scratch.
 #[derive(Clone, Debug)]
 pub struct Workspace<const D: usize> {
+    /// The lanes that kernels run on.
+    pub backend: Backend,
     /// Time in the middle of the present substep \[s\].
     pub time: f64,
     /// Where the walls are at that time.
     pub walls: Poses<D>,
+    /// The planes at rest.
+    pub planes: Planes,
+    /// Periodic axes.
+    pub periods: Periods,
     /// By chunk of grains.
     pub chunks: Vec<ChunkScratch<D>>,
-    /// By chunk: loads on its rows and, behind them, on its overhang.
-    pub loads: Vec<Vec<Load<D>>>,
+    /// By chunk: loads on its rows and on those of later chunks that its pairs reach.
+    pub loads: Vec<ChunkLoads>,
+    /// The bonds tied to the rows of this window.
+    pub links: Links,
     /// How each grain relaxes to the fluid in a substep of this window; empty without fluid.
     pub relaxation: Vec<Relaxation>,
+    /// How much of a substep the grain that relaxes fastest flies on with its old velocity.
+    pub late: f64,
     /// What each grain received in this window; empty without fluid.
     pub impulse: Vec<Impulse<D>>,
 }
 
 impl<const D: usize> Workspace<D> {
-    /// Empty scratch; it grows to what the scene needs.
+    /// Empty scratch for the widest lanes of this CPU; it grows to what the scene needs.
     pub fn new() -> Self {
+        Self::on(Backend::best())
+    }
+
+    /// Empty scratch for these lanes.
+    pub fn on(backend: Backend) -> Self {
         Self {
+            backend,
             time: 0.0,
             walls: Poses::default(),
+            planes: Planes::default(),
+            periods: Periods::default(),
             chunks: vec![],
             loads: vec![],
+            links: Links::default(),
             relaxation: vec![],
+            late: 0.0,
             impulse: vec![],
         }
     }
 
     /// Clean scratch for a window of this world.
-    pub fn open(&mut self, world: &World<D>, walls: usize) {
-        self.chunks.resize_with(chunk_count(world.grains.len()), ChunkScratch::new);
-        self.loads.resize_with(self.chunks.len(), Vec::new);
-        for chunk in &mut self.chunks {
-            chunk.wall_impulse.clear();
-            chunk.wall_impulse.resize(walls, WallImpulse::zero());
-            chunk.frozen_impulse = Vector::zeros();
-            chunk.fault = None;
-        }
+    pub fn open(&mut self, scene: &Scene<D>, world: &World<D>) {
+        self.planes = Planes::of(scene);
+        self.periods = Periods::new(&scene.domain);
+        self.chunks.iter_mut().for_each(|chunk| chunk.open(scene.walls.len()));
+        self.fit(scene.walls.len(), &world.contacts);
         self.relaxation.clear();
+        self.late = 0.0;
         self.impulse.clear();
     }
 
-    /// Goes to the middle of a substep, at `time` \[s\].
-    pub fn enter(&mut self, scene: &Scene<D>, time: f64) {
-        self.time = time;
-        self.walls = scene.walls.poses(time);
+    /// Room for these lists; no load on any grain.
+    pub fn fit(&mut self, walls: usize, contacts: &ContactList) {
+        let opened = || {
+            let mut chunk = ChunkScratch::new();
+            chunk.open(walls);
+            chunk
+        };
+        self.chunks.resize_with(contacts.chunks.len(), opened);
+        self.loads.resize_with(contacts.chunks.len(), ChunkLoads::default);
+        for (loads, chunk) in self.loads.iter_mut().zip(&contacts.chunks) {
+            loads.clear(chunk.grain_of_slot.len(), self.planes.rows.len());
+        }
     }
 
-    /// No load on any of so many grains.
-    pub fn clear_loads(&mut self, grains: usize) {
-        for (index, loads) in self.loads.iter_mut().enumerate() {
-            loads.clear();
-            loads.resize(CHUNK.min(grains - index * CHUNK), Load::zero());
+    /// Goes to the middle of a substep, at `time` \[s\].
+    pub fn enter(&mut self, scene: &Scene<D>, world: &World<D>, time: f64) {
+        self.time = time;
+        self.walls = scene.walls.poses(time, &world.slides);
+    }
+
+    /// What each wall received so far in this window, chunk by chunk.
+    pub fn wall_impulse(&self, walls: usize) -> Vec<WallImpulse<D>> {
+        let mut received = vec![WallImpulse::zero(); walls];
+        for chunk in &self.chunks {
+            received.iter_mut().zip(&chunk.wall_impulse).for_each(|(sum, &impulse)| *sum += impulse);
         }
+        received
     }
 
     /// The first fault, in the order of chunks.
     pub fn fault(&self) -> Option<Fault> {
         self.chunks.iter().find_map(|chunk| chunk.fault)
-    }
-
-    /// How far grains are from where the neighbour list saw them.
-    pub fn displacement(&self) -> Displacement<D> {
-        self.chunks.iter().fold(Displacement::none(), |all, chunk| all.joined(&chunk.displacement))
     }
 }
 

@@ -1,10 +1,12 @@
 //! The state: all that a checkpoint holds, and all that a coupling iteration goes back to.
 
-use crate::contact::ContactList;
+use crate::bond::Bonds;
+use crate::deletion::Taken;
+use crate::engine::ContactList;
 use crate::grains::{Grain, Grains, volume};
 use crate::insertion::Feed;
 use crate::scene::Scene;
-use crate::wall::Received;
+use crate::wall::{Poses, Received, Slide};
 
 /// Grains with the memory of their contacts, at one instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,17 +14,21 @@ pub struct World<const D: usize> {
     /// Time t \[s\].
     pub time: f64,
     /// The grains.
-    pub grains: Grains<D>,
-    /// The neighbour list and what contacts remember.
-    pub contacts: ContactList<D>,
-    /// When the neighbour list was built \[s\]: it knows the walls as they were then.
-    pub list_time: f64,
+    pub grains: Grains,
+    /// Who is near whom, and what contacts remember.
+    pub contacts: ContactList,
+    /// Who is bonded to whom.
+    pub bonds: Bonds,
+    /// How far walls have slid, by wall; nothing before the first window.
+    pub slides: Vec<Slide>,
     /// What the walls received since the last row of the series.
     pub received: Received<D>,
     /// How many grains were ever born: the identity of the next.
     pub born: u64,
     /// How many were ever removed.
     pub removed: u64,
+    /// What each deletion took, and last those that left the domain; nothing before the first grain goes.
+    pub taken: Vec<Taken>,
     /// Insertions that go on over time.
     pub feeds: Vec<Feed<D>>,
 }
@@ -38,10 +44,12 @@ impl<const D: usize> World<D> {
             time: 0.0,
             grains: Grains::new(),
             contacts: ContactList::new(),
-            list_time: 0.0,
+            bonds: Bonds::default(),
+            slides: vec![],
             received: Received::default(),
             born: 0,
             removed: 0,
+            taken: vec![],
             feeds: vec![],
         }
     }
@@ -51,7 +59,12 @@ impl<const D: usize> World<D> {
         let density = scene.materials.get(grain.material).density;
         self.grains.push(self.born, grain, density * volume::<D>(grain.radius, scene.depth));
         self.born += 1;
-        self.contacts.valid = false;
+        self.contacts.expire();
+    }
+
+    /// Where the walls of the scene are.
+    pub fn wall_poses(&self, scene: &Scene<D>) -> Poses<D> {
+        scene.walls.poses(self.time, &self.slides)
     }
 
     /// Keeps the rows `order`, in that order; contacts keep their memory.
@@ -78,10 +91,12 @@ impl<const D: usize> World<D> {
         self.time = other.time;
         self.grains.copy_from(&other.grains);
         self.contacts.copy_from(&other.contacts);
-        self.list_time = other.list_time;
+        self.bonds.copy_from(&other.bonds);
+        self.slides.clone_from(&other.slides);
         self.received.copy_from(&other.received);
         self.born = other.born;
         self.removed = other.removed;
+        self.taken.clone_from(&other.taken);
         self.feeds.clone_from(&other.feeds);
     }
 }

@@ -13,15 +13,17 @@ use interface::message::Failure;
 use interface::participant::serve;
 use interface::run::Who;
 use interface::transport::{FluidEnds, shared_memory};
+use std::convert::Infallible;
 
 /// Runs the command line; returns the exit code.
 pub fn main() -> std::process::ExitCode {
-    interface::solver::main(Who::Fluid, |part| {
+    let participate = |part: &Assignment| {
         // A pool that exists already computes the same bits.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(part.threads).build_global();
         let abandon = Box::new(|| std::process::exit(i32::from(ExitCode::PeerDied.code())));
         take_part(part, shared_memory::join_as_fluid(part.run_id()?, part.deadlines(), abandon)?)
-    })
+    };
+    interface::solver::main(Who::Fluid, participate, |own: Infallible| match own {})
 }
 
 /// Sets up the fluid of a case and serves the coupler over any transport.

@@ -17,7 +17,7 @@ fn meshed() -> Scene {
 fn surfaced() -> Scene {
     Scene::coupled().with(
         "plane = { point = [\"0 mm\", \"0 mm\", \"0 mm\"], normal = [0, 0, 1] }",
-        "stl = { path = \"floor.stl\", scale = 0.03 }",
+        "stl = { path = \"floor.stl\", scale = 0.03, rims = 1 }",
     )
 }
 

@@ -1,5 +1,6 @@
 //! Grains that cannot start.
 
+use crate::ending::coupler;
 use crate::refusal::assert_refused;
 use crate::scene::Scene;
 
@@ -28,6 +29,83 @@ fn a_grain_outside_the_domain_is_refused() {
             "grain 1 is at (0.031, 0.015, 0.02) m",
             "allowed: from (0, 0, 0) m to (0.03, 0.03, 0.03) m",
             "move the grain, or enlarge grains.domain",
+        ],
+    );
+}
+
+#[test]
+fn grains_that_overlap_at_the_start_are_refused_unless_the_case_allows_it() {
+    let scene = Scene::coupled().with("\"17 mm\"", "\"14.98 mm\"");
+    assert_refused(
+        &scene,
+        RIGHT,
+        "insertion[1]",
+        &[
+            "grain 1 overlaps grain 0 by 2.000 % of a diameter",
+            "allowed: at most 1 %",
+            "insert grains apart from each other and from walls, or state a larger grains.start-overlap",
+        ],
+    );
+    let allowed = scene.with("normal-law = \"hertz\"", "normal-law = \"hertz\"\nstart-overlap = 0.025");
+    let checked = coupler(&allowed.folder, &["check", &allowed.path().display().to_string()]);
+    assert_eq!((checked.code, checked.words.as_str()), (0, ""));
+}
+
+#[test]
+fn a_grain_that_starts_in_a_wall_is_refused() {
+    let scene = Scene::coupled().with("\"17 mm\", \"15 mm\", \"20 mm\"", "\"17 mm\", \"15 mm\", \"0.4 mm\"");
+    assert_refused(
+        &scene,
+        RIGHT,
+        "insertion[1]",
+        &["grain 1 overlaps the wall \"floor\" by 10.000 % of a diameter", "allowed: at most 1 %"],
+    );
+}
+
+#[test]
+fn a_restitution_of_nothing_or_of_more_than_all_is_refused() {
+    for found in ["0", "1.2", "-0.5"] {
+        let scene = Scene::coupled().with("restitution = 0.9", &format!("restitution = {found}"));
+        let parts = [format!("found {found}"), "allowed: more than 0, at most 1".to_string()];
+        assert_refused(
+            &scene,
+            "restitution",
+            "pairs.glass-glass.restitution",
+            &parts.each_ref().map(String::as_str),
+        );
+    }
+}
+
+#[test]
+fn grains_that_do_not_fit_are_refused_with_how_many_did_and_why() {
+    let region = "random-cylinder = { from = [\"15 mm\", \"15 mm\", \"1 mm\"], to = [\"15 mm\", \"15 mm\", \"9 mm\"], radius = \"4 mm\", count = 500 }";
+    let scene = Scene::coupled().with("at = [[\"17 mm\", \"15 mm\", \"20 mm\"]]", region);
+    assert_refused(
+        &scene,
+        "random-cylinder",
+        "insertion[1].random-cylinder",
+        &[
+            " of 500 grains fitted: the next, of diameter 0.0010 m, met a grain at 100000 and a wall at 0 of 100000 random places",
+            "ask for fewer or smaller grains, or for a larger region",
+        ],
+    );
+}
+
+#[test]
+fn a_sieve_curve_that_does_not_end_is_refused_with_its_line() {
+    let scene = Scene::coupled()
+        .with(
+            "name = \"right\"\nmaterial = \"glass\"\ndiameter = \"1 mm\"",
+            "name = \"right\"\nmaterial = \"glass\"\ndiameter-distribution = { sieve = { path = \"curve.csv\" } }",
+        )
+        .with_file("curve.csv", "diameter[m],passing[-]\n1e-3,0\n2e-3,0.9\n");
+    assert_refused(
+        &scene,
+        "curve.csv",
+        "insertion[1].diameter-distribution.sieve.path",
+        &[
+            "curve.csv:3: passing[-]: found 0.9; a sieve curve starts with 0 and ends with 1",
+            "repair the file",
         ],
     );
 }

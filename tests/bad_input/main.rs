@@ -15,3 +15,4 @@ mod mesh_text;
 mod refusal;
 mod restart_point;
 mod scene;
+mod surfaces;

@@ -30,13 +30,21 @@ macro_rules! cases {
 }
 
 cases! {
+    bonded_beam "bonded-beam"
+    collapse_50 "collapse-50"
     fluidised_bed "fluidised-bed"
+    heap "heap"
     hindered_settling "hindered-settling"
     hydrostatic_half_bed "hydrostatic-half-bed"
+    oblique_impact "oblique-impact"
     packed_bed "packed-bed"
     pipe_sediment "pipe-sediment"
     relaxation_box "relaxation-box"
+    rolling_start "rolling-start"
+    rotating_drum "rotating-drum"
     settling_ode "settling-ode"
     settling_sphere "settling-sphere"
     settling_sphere_periodic "settling-sphere-periodic"
+    silo_discharge "silo-discharge"
+    two_sphere_impact "two-sphere-impact"
 }

@@ -1,4 +1,4 @@
-//! The command line that both solvers share: `run` alone, `participate` for the coupler.
+//! The command line that both solvers share: `run` alone, `participate` for the coupler, and what a solver adds.
 
 use crate::assignment::Assignment;
 use crate::command_line::{in_one_line, is_help};
@@ -11,13 +11,13 @@ use std::process::{Command, ExitCode};
 /// One side of a coupled run; alone on a case without the other.
 #[derive(Parser)]
 #[command(version, about, arg_required_else_help = true)]
-struct Arguments {
+struct Arguments<Own: Subcommand> {
     #[command(subcommand)]
-    task: Task,
+    task: Task<Own>,
 }
 
 #[derive(Subcommand)]
-enum Task {
+enum Task<Own: Subcommand> {
     /// Run a case that has no other side, with the flags and the output of `coupler run`.
     Run {
         /// Case and flags, as for `coupler run`.
@@ -30,6 +30,8 @@ enum Task {
         /// What the coupler wants.
         assignment: String,
     },
+    #[command(flatten)]
+    Own(Own),
 }
 
 /// A command line that is not understood.
@@ -37,13 +39,17 @@ const COMMAND_LINE: u8 = 2;
 /// The coupler beside the solver cannot be started.
 const ENVIRONMENT: u8 = 5;
 
-/// Runs the command line of a solver; returns the exit code.
-pub fn main(who: Who, participate: impl FnOnce(&Assignment) -> Result<(), InterfaceError>) -> ExitCode {
-    let arguments = Arguments::command()
-        .name(who.name())
-        .try_get_matches()
-        .and_then(|matches| Arguments::from_arg_matches(&matches));
+/// Runs the command line of a solver, which may have subcommands of its `own`; returns the exit code.
+pub fn main<Own: Subcommand>(
+    who: Who,
+    participate: impl FnOnce(&Assignment) -> Result<(), InterfaceError>,
+    own: impl FnOnce(Own) -> ExitCode,
+) -> ExitCode {
+    let command = || Arguments::<Own>::command().name(who.name());
+    let arguments =
+        command().try_get_matches().and_then(|matches| Arguments::<Own>::from_arg_matches(&matches));
     match arguments {
+        Ok(Arguments { task: Task::Own(asked) }) => own(asked),
         Ok(Arguments { task: Task::Run { arguments } }) => run_by_coupler(&arguments),
         Ok(Arguments { task: Task::Participate { assignment } }) => {
             leave_interrupts_to_coupler();
@@ -55,17 +61,17 @@ pub fn main(who: Who, participate: impl FnOnce(&Assignment) -> Result<(), Interf
                 }
             }
         }
-        Err(error) => refuse(&error),
+        Err(error) => refuse(&error, &command()),
     }
 }
 
 /// Help and version in full, where they are asked for or nothing is; what is wrong in one line.
-fn refuse(error: &clap::Error) -> ExitCode {
+fn refuse(error: &clap::Error, command: &clap::Command) -> ExitCode {
     if is_help(error) {
         // Nothing can be done where not even this can be printed.
         let _ = error.print();
     } else {
-        say(&format!("error: {}", in_one_line(error, &Arguments::command())));
+        say(&format!("error: {}", in_one_line(error, command)));
     }
     if error.use_stderr() { ExitCode::from(COMMAND_LINE) } else { ExitCode::SUCCESS }
 }

@@ -1,23 +1,26 @@
 //! Contact of two bodies: the laws, and the force they give.
 
 mod coefficients;
+pub mod cohesion;
 mod energy;
-mod forces;
-mod list;
+mod extras;
 pub mod normal;
-mod pairs;
+mod remembered;
 mod restitution;
+pub mod rolling;
 pub mod tangential;
 mod touch;
 mod walls;
 
+/// Centres nearer than this fraction of the sum of radii have no direction that a force could take.
+pub const COINCIDENT: f64 = 1e-9;
+
 pub use coefficients::{Coefficients, Growth};
 pub use energy::stored_energy;
-pub use forces::{Load, forces};
-pub use list::{CHUNK, Candidate, Chunk, ContactList, Incoming, Pair, Remembered, WallContact, chunk_count};
+pub use extras::{ExtraConstants, Extras};
 pub use normal::NormalLaw;
-pub use pairs::COINCIDENT;
+pub use remembered::Remembered;
 pub use restitution::{damping_ratio, restitution};
 pub use tangential::Spring;
-pub use touch::{Touch, touch_force};
-pub use walls::Pressed;
+pub use touch::{Response, Touch, touch_force};
+pub use walls::{Pressed, pressed_surfaces, wall_forces};

@@ -3,34 +3,46 @@
 use super::coefficients::Coefficients;
 use super::normal::Normal;
 use super::tangential::{Sliding, Spring, Tangential};
-use crate::vector::Vector;
+use crate::lanes::{Lanes, Vec3};
 
 /// Two bodies in contact.
 #[derive(Clone, Copy, Debug)]
-pub struct Touch<const D: usize> {
+pub struct Touch<L> {
     /// Unit normal n, from the first body to the second.
-    pub normal: Vector<D>,
+    pub normal: Vec3<L>,
     /// Overlap δ > 0 \[m\].
-    pub overlap: f64,
+    pub overlap: L,
     /// Velocity of the first body at the contact relative to the second \[m/s\].
-    pub velocity: Vector<D>,
+    pub velocity: Vec3<L>,
 }
 
-/// Force on the first body \[N\], by a normal law and a tangential law; moves the spring by `step` \[s\].
-#[inline]
-pub fn touch_force<const D: usize, N: Normal<D>, T: Tangential<D>>(
-    coefficients: &Coefficients,
-    touch: &Touch<D>,
-    spring: &mut Spring<D>,
-    step: f64,
-) -> Vector<D> {
-    let closing = touch.velocity.dot(&touch.normal);
-    let normal_force = N::force(coefficients, touch.overlap, closing, step);
+/// What two bodies in contact do to each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Response<L> {
+    /// Force on the first body \[N\].
+    pub force: Vec3<L>,
+    /// |F_n| of all normal forces \[N\].
+    pub pressing: L,
+}
+
+/// The forces of a normal law, of an attraction \[N\] and of a tangential law; moves the spring by `step` \[s\].
+#[inline(always)]
+pub fn touch_force<const D: usize, N: Normal<D>, T: Tangential, L: Lanes>(
+    coefficients: &Coefficients<L>,
+    touch: &Touch<L>,
+    attraction: L,
+    spring: &mut Spring<L>,
+    step: L,
+) -> Response<L> {
+    let closing = touch.velocity.dot(touch.normal);
+    let normal_force = N::force(coefficients, touch.overlap, closing, step) - attraction;
+    let pressing = normal_force.max(-normal_force);
     let sliding = Sliding {
         normal: touch.normal,
         velocity: touch.velocity - touch.normal * closing,
-        limit: coefficients.sliding_friction * normal_force.abs(),
+        limit: coefficients.sliding_friction * pressing,
         step,
     };
-    T::force(coefficients, N::growth(touch.overlap), &sliding, spring) - touch.normal * normal_force
+    let friction = T::force(coefficients, N::growth(touch.overlap), &sliding, spring);
+    Response { force: friction - touch.normal * normal_force, pressing }
 }

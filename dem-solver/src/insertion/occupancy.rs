@@ -12,6 +12,31 @@ const MOST_CELLS: f64 = 1e7;
 
 const NONE: u32 = u32::MAX;
 
+/// The place that a grain takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball<const D: usize> {
+    /// Centre \[m\].
+    pub centre: Vector<D>,
+    /// Radius \[m\].
+    pub radius: f64,
+}
+
+impl<const D: usize> Ball<D> {
+    /// That of a grain.
+    pub fn of(place: &Place) -> Self {
+        Self { centre: place.at(), radius: place.radius }
+    }
+}
+
+/// What is in the way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Obstacle {
+    /// A grain.
+    Grain,
+    /// A wall.
+    Wall,
+}
+
 /// Grains in and near a box, by cell.
 #[derive(Clone, Debug)]
 pub struct Occupancy<'a, const D: usize> {
@@ -22,7 +47,7 @@ pub struct Occupancy<'a, const D: usize> {
     counts: [usize; D],
     first: Vec<u32>,
     next: Vec<u32>,
-    places: Vec<Place<D>>,
+    places: Vec<Ball<D>>,
 }
 
 impl<'a, const D: usize> Occupancy<'a, D> {
@@ -45,24 +70,30 @@ impl<'a, const D: usize> Occupancy<'a, D> {
         }
         let counts: [usize; D] = std::array::from_fn(|axis| ((extent[axis] / width).ceil() as usize).max(1));
         let first = vec![NONE; counts.iter().product()];
-        let walls = scene.walls.poses(world.time);
+        let walls = world.wall_poses(scene);
         let mut occupancy = Self { scene, walls, lower, width, counts, first, next: vec![], places: vec![] };
         for place in present {
-            occupancy.take(*place);
+            occupancy.take(Ball::of(place));
         }
         occupancy
     }
 
     /// Takes the place if no grain and no wall overlaps it.
-    pub fn take_if_free(&mut self, place: Place<D>) -> bool {
-        let free = self.is_free_of_grains(&place) && self.is_free_of_walls(&place);
-        if free {
-            self.take(place);
+    ///
+    /// # Errors
+    /// What is in the way.
+    pub fn take_if_free(&mut self, place: Ball<D>) -> Result<(), Obstacle> {
+        if !self.is_free_of_grains(&place) {
+            return Err(Obstacle::Grain);
         }
-        free
+        if !self.is_free_of_walls(&place) {
+            return Err(Obstacle::Wall);
+        }
+        self.take(place);
+        Ok(())
     }
 
-    fn is_free_of_grains(&self, place: &Place<D>) -> bool {
+    fn is_free_of_grains(&self, place: &Ball<D>) -> bool {
         let Domain { periodic, .. } = self.scene.domain;
         let images = if periodic.contains(&true) { self.scene.shifts.as_slice() } else { &[Vector::zeros()] };
         images.iter().all(|shift| {
@@ -87,7 +118,7 @@ impl<'a, const D: usize> Occupancy<'a, D> {
         })
     }
 
-    fn is_free_of_walls(&self, place: &Place<D>) -> bool {
+    fn is_free_of_walls(&self, place: &Ball<D>) -> bool {
         let mut near = Vec::new();
         let walls = &self.scene.walls;
         walls.planes_near(&place.centre, place.radius, &self.walls, &mut near);
@@ -96,7 +127,7 @@ impl<'a, const D: usize> Occupancy<'a, D> {
         near.iter().all(|surface| distance(surface) >= place.radius)
     }
 
-    fn take(&mut self, place: Place<D>) {
+    fn take(&mut self, place: Ball<D>) {
         let cell = self.index(&self.coordinates(&place.centre));
         self.next.push(self.first[cell]);
         self.first[cell] = self.places.len() as u32;

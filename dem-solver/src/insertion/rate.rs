@@ -1,18 +1,18 @@
-//! A box that is fed over time.
+//! A region that is fed over time.
 
 use super::batch::Batch;
-use super::occupancy::Occupancy;
+use super::occupancy::{Ball, Occupancy};
 use super::random::Random;
-use super::random_box::place_in_box;
-use crate::grains::{Place, volume};
+use super::region::{Region, Space};
+use super::sizes::Distribution;
+use crate::grains::volume;
 use crate::scene::Scene;
-use crate::vector::Vector;
 use crate::world::World;
 
-/// Places tried for one grain before the box counts as full for this window.
+/// Places tried for one grain before the region counts as full for this window.
 const MOST_MISSES: u32 = 200;
 
-/// How fast a box is fed.
+/// How fast a region is fed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Flow {
     /// Mass per time \[kg/s\].
@@ -21,15 +21,13 @@ pub enum Flow {
     Number(f64),
 }
 
-/// A box that is fed over time, only where there is room; what does not fit stays due.
+/// A region that is fed over time, only where there is room; what does not fit stays due.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feed<const D: usize> {
     /// What the grains share.
     pub batch: Batch<D>,
-    /// Corner of smallest coordinates \[m\].
-    pub lower: Vector<D>,
-    /// Corner of largest coordinates \[m\].
-    pub upper: Vector<D>,
+    /// Where.
+    pub region: Region<D>,
     /// How fast.
     pub flow: Flow,
     /// From this time \[s\].
@@ -59,7 +57,8 @@ impl<const D: usize> Feed<D> {
             return;
         }
         let density = scene.materials.get(self.batch.material).density;
-        let mut occupancy = Occupancy::new(scene, self.lower, self.upper, world, self.batch.sizes.largest);
+        let (lower, upper) = self.region.bounds();
+        let mut occupancy = Occupancy::new(scene, lower, upper, world, self.batch.sizes.largest());
         loop {
             let radius = self.waiting.take().unwrap_or_else(|| self.batch.sizes.draw(&mut self.random));
             let share = match self.flow {
@@ -72,9 +71,9 @@ impl<const D: usize> Feed<D> {
                 return;
             }
             let place = (0..MOST_MISSES).find_map(|_| {
-                let centre = place_in_box(scene, self.lower, self.upper, radius, &mut self.random)?;
-                let place = Place { centre, radius };
-                occupancy.take_if_free(place).then_some(place)
+                let centre = self.region.place(&scene.domain, radius, &mut self.random)?;
+                let place = Ball { centre, radius };
+                occupancy.take_if_free(place).ok().map(|()| place)
             });
             let Some(place) = place else {
                 self.refused += 1;

@@ -2,14 +2,16 @@
 
 use case_io::document::{self, Case, Insertion, Placement};
 
-use super::at_key;
+use super::region::region;
+use super::sizes::sizes;
 use super::surroundings::material_index;
+use super::{at_key, refused_at};
 use crate::error::DemError;
 use crate::insertion::{
-    Amount, Batch, Feed, Flow, Lattice, LatticeKind, Random, RandomBox, Sizes, coincident, read_grains,
+    Amount, Batch, Distribution, Feed, Flow, Lattice, LatticeKind, Random, RandomFill, read_grains,
 };
 use crate::scene::Scene;
-use crate::vector::{Vector, embed, restrict};
+use crate::vector::{Spin, Vector, restrict};
 use crate::world::World;
 
 /// More grains than this from one lattice are taken for a mistake in its spacing.
@@ -33,19 +35,20 @@ pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<(World<D>
                 }
             }
             Some(Placement::Lattice(lattice)) => place.lattice(lattice, &batch, &mut random, &mut world)?,
-            Some(Placement::RandomBox(random_box)) => {
-                let amount = match (random_box.count, random_box.solid_fraction) {
+            Some(Placement::Random(stated)) => {
+                let amount = match (stated.count, stated.solid_fraction) {
                     (Some(count), _) => Amount::Count(count as usize),
                     (None, fraction) => Amount::SolidFraction(fraction.unwrap_or_default()),
                 };
-                let lower = Vector::from(random_box.lower.to_array());
-                let upper = Vector::from(random_box.upper.to_array());
-                RandomBox { lower, upper, amount }.insert(scene, &mut world, &batch, &mut random)?;
+                let fill = RandomFill { region: region(stated.region), amount };
+                let key = format!("insertion[{index}].{}", stated.key);
+                fill.insert(scene, &mut world, &batch, &mut random)
+                    .map_err(|error| refused_at(case, &key, error))?;
             }
             Some(Placement::File(file)) => place.file(file, &batch, &mut random, &mut world)?,
-            Some(Placement::Rate(rate)) => world.feeds.push(feed(case, rate, batch, random)),
+            Some(Placement::Rate(rate)) => world.feeds.push(feed(case, index, rate, batch, random)?),
             None => {
-                let allowed = "one of at, lattice, random-box, file, rate";
+                let allowed = "one way to place grains";
                 return Err(case.error(&format!("insertion[{index}]"), "no placement", allowed, "").into());
             }
         }
@@ -53,44 +56,12 @@ pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<(World<D>
     Ok((world, firsts))
 }
 
-/// No two centres coincide, and none is outside the domain; `firsts` are the insertions' first rows.
-pub fn check_places<const D: usize>(
-    case: &Case,
-    scene: &Scene<D>,
-    world: &World<D>,
-    firsts: &[usize],
-) -> Result<(), DemError> {
-    let insertion = |row: usize| format!("insertion[{}]", firsts.partition_point(|first| *first <= row) - 1);
-    let at = |row: usize| {
-        let centre = embed(&world.grains.place[row].centre);
-        format!("({}, {}, {}) m", centre.x, centre.y, centre.z)
-    };
-    if let Some((one, other)) = coincident(&world.grains.place, &scene.domain) {
-        let found = format!("grains {one} and {other} both have their centre at {}", at(one));
-        return Err(case.error(&insertion(other), found, "", "insert grains apart from each other").into());
-    }
-    if let Some(row) = world.grains.place.iter().position(|place| !scene.domain.holds(&place.centre)) {
-        let (lower, upper) = (embed(&scene.domain.lower), embed(&scene.domain.upper));
-        let found = format!("the centre of grain {row} is at {}", at(row));
-        let allowed = format!(
-            "from ({}, {}, {}) m to ({}, {}, {}) m, the domain",
-            lower.x, lower.y, lower.z, upper.x, upper.y, upper.z
-        );
-        return Err(case
-            .error(&insertion(row), found, allowed, "move the grain, or enlarge grains.domain")
-            .into());
-    }
-    Ok(())
-}
-
 fn batch<const D: usize>(case: &Case, index: usize, insertion: &Insertion) -> Result<Batch<D>, DemError> {
     let material = material_index(case, &insertion.material, &format!("insertion[{index}].material"))?;
-    // A file may state the sizes; where it does not, its grains are refused one by one.
-    let [smallest, largest] = insertion.diameters().unwrap_or_default().map(|diameter| 0.5 * diameter);
     Ok(Batch {
         name: insertion.name.clone(),
         material,
-        sizes: Sizes { smallest, largest },
+        sizes: sizes::<D>(case, index, insertion)?,
         velocity: insertion
             .velocity
             .as_ref()
@@ -99,15 +70,23 @@ fn batch<const D: usize>(case: &Case, index: usize, insertion: &Insertion) -> Re
     })
 }
 
-fn feed<const D: usize>(case: &Case, rate: &document::Rate, batch: Batch<D>, random: Random) -> Feed<D> {
+fn feed<const D: usize>(
+    case: &Case,
+    index: usize,
+    rate: &document::Rate,
+    batch: Batch<D>,
+    random: Random,
+) -> Result<Feed<D>, DemError> {
+    let Some(stated) = rate.region() else {
+        return Err(case.error(&format!("insertion[{index}].rate"), "no region", "", "state one").into());
+    };
     let flow = match (rate.mass_rate, rate.number_rate) {
         (Some(mass), _) => Flow::Mass(mass.si()),
         (None, number) => Flow::Number(number.map_or(0.0, |number| number.si())),
     };
-    Feed {
+    Ok(Feed {
         batch,
-        lower: Vector::from(rate.lower.to_array()),
-        upper: Vector::from(rate.upper.to_array()),
+        region: region(stated),
         flow,
         start: rate.start.map_or(0.0, |start| start.si()),
         stop: rate.stop.unwrap_or(case.document.time.end).si(),
@@ -116,7 +95,7 @@ fn feed<const D: usize>(case: &Case, rate: &document::Rate, batch: Batch<D>, ran
         count: 0,
         refused: 0,
         waiting: None,
-    }
+    })
 }
 
 /// One insertion of the case.
@@ -168,7 +147,7 @@ impl<const D: usize> Place<'_, D> {
         let grains = read_grains(&self.case.folder.join(&file.path))
             .map_err(|error| at_key(self.case, &key, error))?;
         for stated in grains {
-            let own = self.insertion.diameters().is_none();
+            let own = !self.insertion.is_sized();
             let radius = if own { stated.radius } else { Some(batch.sizes.draw(random)) };
             let radius = radius.ok_or_else(|| {
                 let key = format!("insertion[{}].diameter", self.index);
@@ -183,6 +162,7 @@ impl<const D: usize> Place<'_, D> {
             if let (Some(velocity), None, false) = (stated.velocity, &self.insertion.velocity, batch.frozen) {
                 grain.velocity = restrict(&velocity.into());
             }
+            grain.angular_velocity = stated.angular_velocity.map_or(Spin::zeros(), Spin::from);
             world.add(self.scene, &grain);
         }
         Ok(())

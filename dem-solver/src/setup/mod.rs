@@ -1,7 +1,14 @@
 //! From a checked case to a scene and a world.
 
+mod bonds;
+mod deletion;
 mod insert;
+mod motion;
+mod places;
+mod region;
+mod sizes;
 mod surroundings;
+mod walls;
 
 use std::collections::BTreeMap;
 
@@ -43,12 +50,13 @@ pub fn set_up<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Resul
         return Err(case.error("grains", "missing", "", "add [grains] to a case that has grains").into());
     };
     let mut scene = surroundings::scene(case, grains, mesh)?;
-    let (world, firsts) = insert::insert(case, &scene)?;
+    let (mut world, firsts) = insert::insert(case, &scene)?;
     if grains.domain.is_none() {
         let domain = surroundings::default_domain(&scene, &world, mesh);
         scene = scene.in_domain(domain);
     }
-    insert::check_places(case, &scene, &world, &firsts)?;
+    places::check_places(case, &scene, &world, &firsts)?;
+    world.bonds = bonds::bonds(case, &scene, &world, &firsts)?;
     let substep = match document.time.substep {
         Some(step) => Substep::Given(step.si()),
         None => Substep::Fraction(document.time.substep_safety),
@@ -87,6 +95,17 @@ fn check_substeps<const D: usize>(
         }
         Err(other) => Err(other),
         Ok(_) => Ok(()),
+    }
+}
+
+/// The error of an insertion at `key`, told with the key.
+fn refused_at(case: &Case, key: &str, error: DemError) -> DemError {
+    match error {
+        DemError::NoRoom { fitted, wanted, why, .. } => {
+            let found = format!("{fitted} of {wanted} grains fitted: {why}");
+            case.error(key, found, "", "ask for fewer or smaller grains, or for a larger region").into()
+        }
+        other => other,
     }
 }
 

@@ -1,18 +1,22 @@
-//! Materials, laws, walls and the domain of a case.
+//! Materials, laws and the domain of a case.
 
-use case_io::document::{self, Case, WallShape, unit_vector};
+use case_io::document::{self, Case};
 use case_io::error::CaseError;
 
-use super::{FluidMesh, at_key};
-use crate::contact::NormalLaw;
+use super::FluidMesh;
+use super::bonds::laws;
+use super::deletion::deletions;
+use super::walls::walls;
+use crate::contact::cohesion::CohesionLaw;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke};
+use crate::contact::rolling::RollingLaw;
+use crate::contact::{Extras, NormalLaw};
 use crate::domain::Domain;
 use crate::error::DemError;
-use crate::material::{Material, Materials};
+use crate::insertion::Space;
+use crate::material::{Material, Materials, PairMaterial};
 use crate::scene::{Escape, Scene};
-use crate::vector::{Spin, Vector};
-use crate::wall::stl::read_stl;
-use crate::wall::{Facet, Motion, Plane, Shape, Wall, Walls};
+use crate::vector::Vector;
 use crate::world::World;
 
 /// The scene of a case, in the domain it states or in all space.
@@ -47,7 +51,10 @@ pub fn scene<const D: usize>(
         gravity: Vector::from(document.case.gravity.to_array()),
         depth,
         walls: walls(case, mesh)?,
+        deletions: deletions(case),
         ..Scene::new(materials(case, normal_law != NormalLaw::None)?, normal_law)
+            .with_extras(extras(grains))
+            .with_bond_laws(laws(case))
             .in_domain(stated_domain(case, grains)?)
     })
 }
@@ -91,7 +98,27 @@ fn materials(case: &Case, touch: bool) -> Result<Materials, CaseError> {
     let pair = |a: usize, b: usize| {
         document.pair(names[a], names[b]).map_or((1.0, 0.0), |pair| (pair.restitution, pair.sliding_friction))
     };
-    Ok(Materials::new(list.collect::<Result<_, CaseError>>()?, pair))
+    let more = |a: usize, b: usize, of: &mut PairMaterial| {
+        let Some(pair) = document.pair(names[a], names[b]) else { return };
+        of.rolling_friction = pair.rolling_friction.unwrap_or(0.0);
+        of.rolling_damping_ratio = pair.rolling_damping_ratio.unwrap_or(0.0);
+        of.cohesion_energy_density = pair.cohesion_energy_density.map_or(0.0, |density| density.si());
+    };
+    Ok(Materials::new(list.collect::<Result<_, CaseError>>()?, pair).with(more))
+}
+
+fn extras(grains: &document::Grains) -> Extras {
+    Extras {
+        rolling: grains.rolling_law.map(|law| match law {
+            document::RollingLaw::Cdt => RollingLaw::Cdt,
+            document::RollingLaw::Epsd => RollingLaw::Epsd,
+            document::RollingLaw::Epsd2 => RollingLaw::Epsd2,
+        }),
+        cohesion: grains.cohesion_law.map(|law| match law {
+            document::CohesionLaw::Sjkr => CohesionLaw::Sjkr,
+            document::CohesionLaw::Sjkr2 => CohesionLaw::Sjkr2,
+        }),
+    }
 }
 
 fn stated_domain<const D: usize>(case: &Case, grains: &document::Grains) -> Result<Domain<D>, CaseError> {
@@ -109,109 +136,17 @@ fn stated_domain<const D: usize>(case: &Case, grains: &document::Grains) -> Resu
     Ok(Domain::new(bounds.lower.to_array(), bounds.upper.to_array()).periodic(periodic))
 }
 
-fn walls<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Result<Walls<D>, DemError> {
-    let walls = case.document.wall.iter().enumerate().map(|(index, wall)| {
-        let key = |key: &str| format!("wall[{index}].{key}");
-        let material = material_index(case, &wall.material, &key("material"))?;
-        let shapes = match wall.shape() {
-            Some(WallShape::Plane(plane)) => vec![Shape::Plane(Plane {
-                point: Vector::from(plane.point.to_array()),
-                normal: Vector::from(unit_vector(&plane.normal)),
-            })],
-            Some(WallShape::Stl(stl)) => read_stl(&case.folder.join(&stl.path), stl.scale)
-                .map_err(|error| at_key(case, &key("stl.path"), error))?
-                .iter()
-                .map(spatial::<D>)
-                .collect::<Option<_>>()
-                .ok_or_else(|| {
-                    case.error(
-                        &key("stl"),
-                        "an STL surface in 2D",
-                        "planes and mesh boundaries",
-                        "write a plane",
-                    )
-                })?,
-            Some(WallShape::Mesh(boundary)) => {
-                of_mesh(case, &key("mesh.boundary"), &boundary.boundary, mesh)?
-            }
-            None => {
-                return Err(case
-                    .error(&key("plane"), "missing", "one of plane, stl, mesh", "give the wall a shape")
-                    .into());
-            }
-        };
-        Ok(Wall {
-            motion: wall.motion.as_ref().map(motion),
-            torque_about: wall.torque_about.as_ref().map_or(Vector::zeros(), |point| point.to_array().into()),
-            ..Wall::new(&wall.name, material, shapes)
-        })
-    });
-    Ok(Walls::new(walls.collect::<Result<_, DemError>>()?))
-}
-
-/// The sum of the stated motions; in 2D the axis of a rotation is z.
-fn motion<const D: usize>(document: &document::Motion) -> Motion<D> {
-    let none = Motion::none();
-    let rotation = document.rotation.as_ref();
-    let oscillation = document.oscillation.as_ref();
-    Motion {
-        translation: document.translation.as_ref().map_or(none.translation, |v| v.to_array().into()),
-        amplitude: oscillation.map_or(none.amplitude, |oscillation| {
-            Vector::from(unit_vector(&oscillation.direction)) * oscillation.amplitude.si()
-        }),
-        frequency: oscillation.map_or(none.frequency, |oscillation| oscillation.frequency.si()),
-        point: rotation.map_or(none.point, |rotation| rotation.point.to_array().into()),
-        angular_velocity: rotation.map_or(none.angular_velocity, |rotation| {
-            let axis = rotation.axis.as_deref().map_or([0.0, 0.0, 1.0], unit_vector);
-            Spin::from(axis) * rotation.rate.si()
-        }),
-    }
-}
-
-/// A triangle as a piece of wall, which it can only be in 3D.
-fn spatial<const D: usize>(triangle: &Facet<3>) -> Option<Shape<D>> {
-    (D == 3).then(|| {
-        Shape::Facet(Facet {
-            vertices: std::array::from_fn(|k| crate::vector::restrict(&triangle.vertices[k])),
-        })
-    })
-}
-
-fn of_mesh<const D: usize>(
-    case: &Case,
-    key: &str,
-    names: &[String],
-    mesh: Option<&FluidMesh<D>>,
-) -> Result<Vec<Shape<D>>, CaseError> {
-    let mut shapes = Vec::new();
-    for name in names {
-        let boundaries = mesh.map(|mesh| &mesh.boundaries);
-        let Some(faces) = boundaries.and_then(|boundaries| boundaries.get(name)) else {
-            let allowed = boundaries
-                .map_or(String::new(), |known| known.keys().cloned().collect::<Vec<_>>().join(", "));
-            return Err(case.error(
-                key,
-                format_args!("the fluid mesh has no boundary \"{name}\""),
-                allowed,
-                "",
-            ));
-        };
-        shapes.extend(faces.iter().copied().map(Shape::Facet));
-    }
-    Ok(shapes)
-}
-
-/// Where the case states no domain: the box around the fluid mesh, the facets and the grains; all space where there
-/// is neither mesh nor facet, since planes and falling grains have no end.
+/// Where the case states no domain: the box around the fluid mesh, the walls that have ends and the grains; all space
+/// where there is neither, since planes and falling grains have no end.
 pub fn default_domain<const D: usize>(
     scene: &Scene<D>,
     world: &World<D>,
     mesh: Option<&FluidMesh<D>>,
 ) -> Domain<D> {
     let mesh = mesh.map(|mesh| (Vector::from(mesh.bounds.0), Vector::from(mesh.bounds.1)));
-    let solid = mesh.into_iter().chain(scene.walls.facet_bounds());
-    let grains = world.grains.place.iter().map(|place| (place.centre, place.centre));
-    let feeds = world.feeds.iter().map(|feed| (feed.lower, feed.upper));
+    let solid = mesh.into_iter().chain(scene.walls.bounds());
+    let grains = world.grains.place.iter().map(|place| (place.at(), place.at()));
+    let feeds = world.feeds.iter().map(|feed| feed.region.bounds());
     if solid.clone().next().is_none() {
         return Domain::unbounded();
     }

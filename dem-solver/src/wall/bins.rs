@@ -1,6 +1,5 @@
 //! A uniform grid of the facets' boxes.
 
-use super::facet::Facet;
 use crate::vector::Vector;
 
 /// No more bins than this many per facet.
@@ -18,17 +17,16 @@ pub struct Bins<const D: usize> {
 }
 
 impl<const D: usize> Bins<D> {
-    /// The grid of these facets; nothing if there are none.
-    pub fn new(facets: &[Facet<D>]) -> Option<Self> {
-        let boxes: Vec<_> = facets.iter().map(Facet::bounds).collect();
+    /// The grid of the facets in these boxes; nothing if there are none.
+    pub fn new(boxes: &[(Vector<D>, Vector<D>)]) -> Option<Self> {
         let (lower, upper) = boxes.iter().copied().reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))?;
         let extent: Vector<D> = upper - lower;
-        let mean = boxes.iter().map(|(low, high)| (high - low).max()).sum::<f64>() / facets.len() as f64;
+        let mean = boxes.iter().map(|(low, high)| (high - low).max()).sum::<f64>() / boxes.len() as f64;
         // Bins as wide as the mean facet, wider if that makes too many of them.
         let number =
             |width: f64| -> f64 { extent.iter().map(|length| (length / width).ceil().max(1.0)).product() };
         let mut width = mean;
-        while number(width) > (BINS_PER_FACET * facets.len() as f64).max(1.0) && width < extent.max() {
+        while number(width) > (BINS_PER_FACET * boxes.len() as f64).max(1.0) && width < extent.max() {
             width *= 1.25;
         }
         let counts: [usize; D] = std::array::from_fn(|axis| ((extent[axis] / width).ceil() as usize).max(1));

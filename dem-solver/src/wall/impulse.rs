@@ -1,6 +1,6 @@
 //! What walls receive from grains.
 
-use std::ops::AddAssign;
+use std::ops::{AddAssign, Sub};
 
 use crate::vector::{Spin, Vector, moment};
 
@@ -36,6 +36,14 @@ impl<const D: usize> AddAssign for WallImpulse<D> {
     fn add_assign(&mut self, other: Self) {
         self.linear += other.linear;
         self.angular += other.angular;
+    }
+}
+
+impl<const D: usize> Sub for WallImpulse<D> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self { linear: self.linear - other.linear, angular: self.angular - other.angular }
     }
 }
 

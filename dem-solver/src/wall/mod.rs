@@ -1,21 +1,21 @@
-//! Walls, at rest or in prescribed motion: planes, and surfaces of facets (triangles in 3D, segments in 2D).
+//! Walls, at rest or in prescribed motion, made of simple surfaces and of facets (triangles in 3D, segments in 2D).
 
 mod bins;
-mod facet;
 mod impulse;
 mod motion;
-mod plane;
 mod poses;
-pub mod stl;
+mod servo;
+mod shape;
+pub mod triangles;
 
 use crate::vector::Vector;
 use bins::Bins;
 
-pub use facet::Facet;
 pub use impulse::{Received, WallImpulse};
-pub use motion::{Motion, Pose};
-pub use plane::Plane;
+pub use motion::{Motion, Pose, Table, TableRow};
 pub use poses::Poses;
+pub use servo::{Servo, Slide, drift};
+pub use shape::{Cylinder, Disc, Facet, Nearest, Piece, Plane, Shape, Side, Sphere, Tube};
 
 /// A wall about to be built.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,8 +26,10 @@ pub struct Wall<const D: usize> {
     pub material: u32,
     /// Its surfaces, at t = 0.
     pub shapes: Vec<Shape<D>>,
-    /// Its motion, if it moves.
+    /// Its motion, if it moves as prescribed.
     pub motion: Option<Motion<D>>,
+    /// What pushes it, if it slides under a force.
+    pub servo: Option<Servo<D>>,
     /// The point about which its torque is told \[m\].
     pub torque_about: Vector<D>,
 }
@@ -35,7 +37,7 @@ pub struct Wall<const D: usize> {
 impl<const D: usize> Wall<D> {
     /// A wall at rest, its torque told about the origin.
     pub fn new(name: &str, material: u32, shapes: Vec<Shape<D>>) -> Self {
-        Self { name: name.into(), material, shapes, motion: None, torque_about: Vector::zeros() }
+        Self { name: name.into(), material, shapes, motion: None, servo: None, torque_about: Vector::zeros() }
     }
 
     /// A wall that is one plane through `point`, its `normal` towards the grains.
@@ -53,15 +55,11 @@ impl<const D: usize> Wall<D> {
     pub fn moving(self, motion: Motion<D>) -> Self {
         Self { motion: Some(motion), ..self }
     }
-}
 
-/// A piece of a wall.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shape<const D: usize> {
-    /// A half-space.
-    Plane(Plane<D>),
-    /// A triangle (2D: a segment).
-    Facet(Facet<D>),
+    /// The wall under this force.
+    pub fn pushed(self, servo: Servo<D>) -> Self {
+        Self { servo: Some(servo), ..self }
+    }
 }
 
 /// A piece of a wall, and the wall.
@@ -71,26 +69,6 @@ pub struct Surface<const D: usize> {
     pub wall: u32,
     /// The piece.
     pub shape: Shape<D>,
-}
-
-/// The point of a surface that is nearest to a centre.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nearest<const D: usize> {
-    /// Distance \[m\]; negative behind a plane.
-    pub distance: f64,
-    /// Unit normal from the centre to the wall; zero if the centre lies in a facet.
-    pub normal: Vector<D>,
-}
-
-impl<const D: usize> Surface<D> {
-    /// The nearest point of the surface.
-    #[inline]
-    pub fn nearest(&self, centre: &Vector<D>) -> Nearest<D> {
-        match &self.shape {
-            Shape::Plane(plane) => plane.nearest(centre),
-            Shape::Facet(facet) => facet.nearest(centre),
-        }
-    }
 }
 
 /// The facets of one wall.
@@ -111,44 +89,50 @@ pub struct Walls<const D: usize> {
     pub materials: Vec<u32>,
     /// Motions, by wall.
     pub motions: Vec<Option<Motion<D>>>,
+    /// What pushes those that slide, by wall.
+    pub servos: Vec<Option<Servo<D>>>,
     /// Points about which torques are told, by wall \[m\].
     pub torque_about: Vec<Vector<D>>,
-    /// All pieces at t = 0: the planes first, then the facets wall by wall.
+    /// All pieces at t = 0: first those that enclose, then other simple ones, then the facets wall by wall.
     pub surfaces: Vec<Surface<D>>,
-    planes: usize,
+    /// How many of them enclose.
+    enclosing: usize,
+    /// How many of them are no facets.
+    simple: usize,
     facets: Vec<Facets<D>>,
 }
 
 impl<const D: usize> Walls<D> {
     /// These walls.
     pub fn new(walls: Vec<Wall<D>>) -> Self {
-        let mut surfaces = Vec::new();
-        for (index, wall) in walls.iter().enumerate() {
-            let planes = wall.shapes.iter().filter(|shape| matches!(shape, Shape::Plane(_)));
-            surfaces.extend(planes.map(|&shape| Surface { wall: index as u32, shape }));
-        }
-        let planes = surfaces.len();
+        let all = || {
+            let walls = walls.iter().enumerate();
+            walls.flat_map(|(wall, Wall { shapes, .. })| {
+                shapes.iter().map(move |&shape| Surface { wall: wall as u32, shape })
+            })
+        };
+        let is_facet = |surface: &Surface<D>| matches!(surface.shape, Shape::Facet(_));
+        let mut surfaces: Vec<_> = all().filter(|surface| surface.shape.encloses()).collect();
+        let enclosing = surfaces.len();
+        surfaces.extend(all().filter(|surface| !surface.shape.encloses() && !is_facet(surface)));
+        let simple = surfaces.len();
+        surfaces.extend(all().filter(is_facet));
         let mut facets = Vec::new();
-        for (index, wall) in walls.iter().enumerate() {
-            let of_wall: Vec<Facet<D>> = wall
-                .shapes
-                .iter()
-                .filter_map(|shape| match shape {
-                    Shape::Facet(facet) => Some(*facet),
-                    Shape::Plane(_) => None,
-                })
-                .collect();
-            let (wall, first) = (index as u32, surfaces.len() as u32);
-            facets.extend(Bins::new(&of_wall).map(|bins| Facets { wall, first, bins }));
-            surfaces.extend(of_wall.into_iter().map(|facet| Surface { wall, shape: Shape::Facet(facet) }));
+        let mut first = simple as u32;
+        for of_wall in surfaces[simple..].chunk_by(|a, b| a.wall == b.wall) {
+            let boxes: Vec<_> = of_wall.iter().filter_map(|surface| surface.shape.bounds()).collect();
+            facets.extend(Bins::new(&boxes).map(|bins| Facets { wall: of_wall[0].wall, first, bins }));
+            first += of_wall.len() as u32;
         }
         Self {
             names: walls.iter().map(|wall| wall.name.clone()).collect(),
             materials: walls.iter().map(|wall| wall.material).collect(),
-            motions: walls.iter().map(|wall| wall.motion).collect(),
+            motions: walls.iter().map(|wall| wall.motion.clone()).collect(),
+            servos: walls.iter().map(|wall| wall.servo).collect(),
             torque_about: walls.iter().map(|wall| wall.torque_about).collect(),
             surfaces,
-            planes,
+            enclosing,
+            simple,
             facets,
         }
     }
@@ -168,23 +152,24 @@ impl<const D: usize> Walls<D> {
     pub fn nearest(&self, surface: u32, centre: &Vector<D>, poses: &Poses<D>) -> Nearest<D> {
         let surface = &self.surfaces[surface as usize];
         match poses.of(surface.wall) {
-            None => surface.nearest(centre),
+            None => surface.shape.nearest(centre),
             Some(pose) => {
-                let Nearest { distance, normal } = surface.nearest(&pose.unmoved(centre));
+                let Nearest { distance, normal } = surface.shape.nearest(&pose.unmoved(centre));
                 Nearest { distance, normal: pose.turned(&normal) }
             }
         }
     }
 
-    /// Appends the planes nearer than `reach`, and those that tilt whatever their distance, as indices of surfaces, ascending.
+    /// Appends the enclosing surfaces (planes, insides of cylinders and spheres) nearer than `reach`, and those that tilt
+    /// whatever their distance, as indices of surfaces, ascending.
     pub fn planes_near(&self, centre: &Vector<D>, reach: f64, poses: &Poses<D>, found: &mut Vec<u32>) {
-        let near =
-            |&index: &u32| self.tilts(index as usize) || self.nearest(index, centre, poses).distance < reach;
-        found.extend((0..self.planes as u32).filter(near));
+        self.simple_near(0..self.enclosing, centre, reach, poses, found);
     }
 
-    /// Appends the facets nearer than `reach`, as indices of surfaces, ascending.
+    /// Appends the other surfaces, of which images across periodic boundaries are felt too, nearer than `reach`, as indices
+    /// of surfaces, ascending.
     pub fn facets_near(&self, centre: &Vector<D>, reach: f64, poses: &Poses<D>, found: &mut Vec<u32>) {
+        self.simple_near(self.enclosing..self.simple, centre, reach, poses, found);
         for Facets { wall, first, bins } in &self.facets {
             let begin = found.len();
             let seen = poses.of(*wall).map_or(*centre, |pose| pose.unmoved(centre));
@@ -194,7 +179,7 @@ impl<const D: usize> Walls<D> {
             let mut kept = begin;
             for k in begin..found.len() {
                 let index = found[k];
-                let near = || self.surfaces[index as usize].nearest(&seen).distance < reach;
+                let near = || self.surfaces[index as usize].shape.nearest(&seen).distance < reach;
                 if last != Some(index) && near() {
                     found[kept] = index;
                     kept += 1;
@@ -205,9 +190,23 @@ impl<const D: usize> Walls<D> {
         }
     }
 
-    /// The smallest box around all facets at t = 0, if there are any.
-    pub fn facet_bounds(&self) -> Option<(Vector<D>, Vector<D>)> {
-        let boxes = self.facets.iter().map(|facets| facets.bins.bounds());
-        boxes.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
+    fn simple_near(
+        &self,
+        range: std::ops::Range<usize>,
+        centre: &Vector<D>,
+        reach: f64,
+        poses: &Poses<D>,
+        found: &mut Vec<u32>,
+    ) {
+        let near =
+            |&index: &u32| self.tilts(index as usize) || self.nearest(index, centre, poses).distance < reach;
+        found.extend((range.start as u32..range.end as u32).filter(near));
+    }
+
+    /// The smallest box around all surfaces at t = 0 that have ends, if there are any.
+    pub fn bounds(&self) -> Option<(Vector<D>, Vector<D>)> {
+        let of_simple = self.surfaces[..self.simple].iter().filter_map(|surface| surface.shape.bounds());
+        let of_facets = self.facets.iter().map(|facets| facets.bins.bounds());
+        of_simple.chain(of_facets).reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)))
     }
 }

@@ -1,8 +1,10 @@
 //! Where moving walls are at one instant.
 
-use super::motion::Pose;
-use super::{Shape, Walls};
-use crate::vector::{Vector, embed};
+use super::Walls;
+use super::motion::{Pose, Travel};
+use super::servo::Slide;
+use super::shape::Piece;
+use crate::vector::Vector;
 
 /// The poses of the walls at one instant; a wall without one is where it was at t = 0.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,45 +19,61 @@ impl<const D: usize> Poses<D> {
 }
 
 impl<const D: usize> Walls<D> {
-    /// Where the walls are at a time \[s\].
-    pub fn poses(&self, time: f64) -> Poses<D> {
-        if self.motions.iter().all(Option::is_none) {
+    /// Where the walls are at a time \[s\], those that slide where their slides are.
+    pub fn poses(&self, time: f64, slides: &[Slide]) -> Poses<D> {
+        self.posed(time, |wall| slides.get(wall).map(|slide| (slide.displacement, slide.velocity)))
+    }
+
+    /// Where the walls were when the neighbour list was built, at a time \[s\].
+    pub fn listed_poses(&self, time: f64, slides: &[Slide]) -> Poses<D> {
+        self.posed(time, |wall| slides.get(wall).map(|slide| (slide.listed, slide.velocity)))
+    }
+
+    fn posed(&self, time: f64, slid: impl Fn(usize) -> Option<(f64, f64)>) -> Poses<D> {
+        if !(0..self.len()).any(|wall| self.moves(wall)) {
             return Poses(vec![]);
         }
-        Poses(self.motions.iter().map(|motion| motion.map(|motion| motion.pose(time))).collect())
+        let pose = |wall: usize| {
+            let prescribed = self.motions[wall].as_ref().map(|motion| motion.pose(time));
+            let Some(servo) = &self.servos[wall] else { return prescribed };
+            let (displacement, velocity) = slid(wall).unwrap_or_default();
+            let (displacement, velocity) = (servo.direction * displacement, servo.direction * velocity);
+            Some(prescribed.unwrap_or_else(Pose::rest).slid(&displacement, &velocity))
+        };
+        Poses((0..self.len()).map(pose).collect())
     }
 
-    /// Whether a surface is a plane that turns its normal: no grain is ever far from such a plane for long.
+    /// Whether a wall moves, as prescribed or under a force.
+    pub fn moves(&self, wall: usize) -> bool {
+        self.motions[wall].is_some() || self.servos[wall].is_some()
+    }
+
+    /// Whether a surface has no end and its wall turns it: no grain is ever far from such a surface for long.
     pub(super) fn tilts(&self, surface: usize) -> bool {
         let surface = &self.surfaces[surface];
-        let (Shape::Plane(plane), Some(motion)) = (surface.shape, self.motions[surface.wall as usize]) else {
-            return false;
-        };
-        motion.angular_velocity.cross(&embed(&plane.normal)).norm_squared() > 0.0
+        let motion = self.motions[surface.wall as usize].as_ref();
+        motion.is_some_and(|motion| motion.axes().any(|axis| surface.shape.tilts(&axis)))
     }
 
-    /// No wall came nearer to anything by more than this \[m\] between two instants; planes that tilt do not count.
+    /// No wall came nearer to anything by more than this \[m\] between two instants; surfaces that tilt do not count.
     pub fn largest_approach(&self, before: &Poses<D>, after: &Poses<D>) -> f64 {
-        let moved = |wall: u32, start: &Vector<D>| -> Vector<D> {
-            match (before.of(wall), after.of(wall)) {
-                (Some(before), Some(after)) => after.moved(start) - before.moved(start),
-                _ => Vector::zeros(),
-            }
-        };
-        let of_planes = self.surfaces[..self.planes].iter().enumerate().map(|(index, surface)| {
-            let Shape::Plane(plane) = surface.shape else { return 0.0 };
-            if self.tilts(index) { 0.0 } else { moved(surface.wall, &plane.point).dot(&plane.normal).abs() }
+        let travel = |wall: u32| Some(Travel { before: before.of(wall)?, after: after.of(wall)? });
+        let simple = self.surfaces[..self.simple].iter().enumerate().filter_map(|(index, surface)| {
+            let travel = travel(surface.wall)?;
+            (!self.tilts(index)).then(|| surface.shape.approach(&travel))
         });
         // The displacement is affine in the place, so that it is largest at a corner of the box.
-        let of_facets = self.facets.iter().flat_map(|facets| {
+        let of_facets = self.facets.iter().filter_map(|facets| {
+            let travel = travel(facets.wall)?;
             let (lower, upper) = facets.bins.bounds();
-            (0..1usize << D).map(move |corner| {
+            let ways = (0..1usize << D).map(|corner| {
                 let start = Vector::from_fn(
                     |axis, _| if corner >> axis & 1 == 0 { lower[axis] } else { upper[axis] },
                 );
-                moved(facets.wall, &start).norm()
-            })
+                travel.of_point(&start).norm()
+            });
+            Some(ways.fold(0.0, f64::max))
         });
-        of_planes.chain(of_facets).fold(0.0, f64::max)
+        simple.chain(of_facets).fold(0.0, f64::max)
     }
 }

@@ -6,17 +6,17 @@ use std::f64::consts::PI;
 use crate::scenes::{floor, run, world};
 use dem_solver::contact::NormalLaw;
 use dem_solver::contact::normal::{LiggghtsHertz, LiggghtsHooke};
-use dem_solver::{Grain, Material, Materials, PairMaterial, Scene, Spin, Vector, volume};
+use dem_solver::{Grain, Material, Materials, PairMaterial, Scene, Spin, Vector, World, volume};
 
 /// A velocity and a spin that LIGGGHTS found for a grain at a time.
-struct Sample {
-    time: f64,
-    grain: usize,
-    velocity: Vector<3>,
-    spin: Spin,
+pub struct Sample {
+    pub time: f64,
+    pub grain: usize,
+    pub velocity: Vector<3>,
+    pub spin: Spin,
 }
 
-fn samples(table: &str) -> Vec<Sample> {
+pub fn samples(table: &str) -> Vec<Sample> {
     let sample = |line: &str| {
         let row: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
         let three = |first: usize| Vector::from([row[first], row[first + 1], row[first + 2]]);
@@ -29,9 +29,8 @@ fn samples(table: &str) -> Vec<Sample> {
 ///
 /// Both programs kick at x(k h) from v((k - 1/2) h) to v((k + 1/2) h), h the step; a window of one substep is one
 /// kick with half a flight before and behind. LIGGGHTS reports v(k h), the mean of the two.
-fn deviation(scene: &Scene<3>, grains: &[Grain<3>], step: f64, table: &str) -> (f64, f64) {
-    let mut world = world(scene, grains);
-    for k in 0..grains.len() {
+pub fn deviation(scene: &Scene<3>, mut world: World<3>, step: f64, table: &str) -> (f64, f64) {
+    for k in 0..world.grains.len() {
         let half_a_flight = world.grains.motion[k].velocity * (0.5 * step);
         world.grains.place[k].centre += half_a_flight;
     }
@@ -51,7 +50,7 @@ fn deviation(scene: &Scene<3>, grains: &[Grain<3>], step: f64, table: &str) -> (
     (of_velocity, of_spin)
 }
 
-fn hertz() -> NormalLaw {
+pub fn hertz() -> NormalLaw {
     NormalLaw::LiggghtsHertz(LiggghtsHertz)
 }
 
@@ -89,7 +88,7 @@ fn spheres_that_meet_head_on_agree_to_the_digits_stored() {
             Grain::at([-x, 0.0, 0.0], radius).moving([0.5, 0.0, 0.0]),
             Grain::at([x, 0.0, 0.0], radius).moving([-0.5, 0.0, 0.0]),
         ];
-        let (velocity, _) = deviation(&scene, &grains, step, table);
+        let (velocity, _) = deviation(&scene, world(&scene, &grains), step, table);
         println!("{law:?}, e {restitution}: {velocity:.1e} of the impact speed [1e-6]");
         assert!(velocity < 1e-8, "{law:?}, e = {restitution}: {velocity}");
     }
@@ -122,7 +121,7 @@ fn spheres_that_hit_a_plane_obliquely_agree_to_the_digits_stored() {
             let at = [0.0, 0.02 * k as f64, 1.02 * radius];
             grains.push(Grain::at(at, radius).moving([speed * sin, 0.0, -speed * cos]));
         }
-        let (velocity, spin) = deviation(&scene, &grains, step, table);
+        let (velocity, spin) = deviation(&scene, world(&scene, &grains), step, table);
         let (velocity, spin) = (velocity / speed, spin * radius / speed);
         println!("{law:?}, plane: {velocity:.1e} of the impact speed [1e-3], spin {spin:.1e} of v/r [1e-2]");
         assert!(velocity < 1e-8 && spin < 1e-8, "{law:?}: {velocity}, {spin}");
@@ -160,7 +159,7 @@ fn spheres_that_hit_each_other_obliquely_and_spinning_agree_to_the_digits_stored
     }
     for (law, table) in tables {
         let scene = Scene::<3>::new(Materials::new(vec![material], |_, _| (0.75, 0.35)), law);
-        let (velocity, spin) = deviation(&scene, &grains, 2e-7, table);
+        let (velocity, spin) = deviation(&scene, world(&scene, &grains), 2e-7, table);
         let (velocity, spin) = (velocity / speed, spin * radius / speed);
         println!("{law:?}, pair: {velocity:.1e} of the impact speed [1e-3], spin {spin:.1e} of v/r [1e-2]");
         assert!(velocity < 1e-8 && spin < 1e-8, "{law:?}: {velocity}, {spin}");

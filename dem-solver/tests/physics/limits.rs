@@ -45,7 +45,9 @@ fn the_bound_on_stiffness_is_where_a_chain_becomes_unstable() {
     ];
     let mut chain = world(&scene, &grains);
     run(&scene, &mut chain, 1e-12, 1).unwrap();
-    let stiffness = chain.contacts.chunks[0].coefficients[0].normal_stiffness;
+    let list = &chain.contacts;
+    let (_, _, coefficients) = list.chunks[0].inner.pairs(list.alike.as_ref()).next().unwrap();
+    let stiffness = coefficients.normal_stiffness;
     let stable = 2.0 / (2.0 * stiffness / chain.grains.mass[1]).sqrt();
     let shake = |step: f64| {
         let mut world = world(&scene, &grains);

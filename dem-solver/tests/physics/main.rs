@@ -1,5 +1,6 @@
 //! What the grains must do, as claims about mechanics.
 
+mod cohesion;
 mod conservation;
 mod determinism;
 mod drag;
@@ -8,10 +9,15 @@ mod friction;
 mod impact;
 mod inserting;
 mod liggghts;
+mod liggghts_extras;
 mod limits;
 mod moving_walls;
 mod rest;
 mod restitution;
+mod rolling;
+mod round_walls;
 mod scenes;
+mod seams;
+mod servo;
 mod setting_up;
 mod walls;

@@ -136,6 +136,80 @@ fn boundary_faces_of_the_fluid_mesh_become_walls_and_the_mesh_bounds_the_domain(
     assert!(error.contains("wall[0].mesh.boundary: the fluid mesh has no boundary \"z-min\""), "{error}");
 }
 
+#[test]
+fn every_shape_of_wall_motion_region_and_size_is_set_up() {
+    let text = CASE.replace("[[wall]]\nname = \"floor\"", SHAPES);
+    let folder = Folder::new("shapes");
+    fs::write(folder.0.join("curve.csv"), "diameter[m],passing[-]\n1e-3,0\n2e-3,1\n").unwrap();
+    fs::write(folder.0.join("turn.csv"), "t[s],angle[rad]\n0,0\n1,3\n").unwrap();
+    let tile = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    fs::write(folder.0.join("tile.obj"), tile).unwrap();
+    let Setup { scene, world, .. } = folder.set_up(&text, None).unwrap();
+    let walls = &scene.walls;
+    assert_eq!(walls.names, ["drum", "ball", "can", "tile", "floor"]);
+    // A can is a shell and two discs, the tile two triangles.
+    assert_eq!(walls.surfaces.len(), 1 + 1 + 3 + 2 + 1);
+    // The drum turns by its table about its axis; the can sinks by its own.
+    let poses = walls.poses(0.5, &[]);
+    let drum = poses.of(0).unwrap().moved(&[0.7, 0.0, 0.5].into());
+    assert!(
+        (drum - dem_solver::Vector::from([0.5 + 0.2 * 1.5_f64.cos(), 0.0, 0.5 - 0.2 * 1.5_f64.sin()])).norm()
+            < 1e-12
+    );
+    let can = poses.of(2).unwrap();
+    assert!((can.moved(&[0.0; 3].into()).z + 0.05).abs() < 1e-15);
+    assert!((can.velocity_at(&[0.0; 3].into()).z + 0.1).abs() < 1e-15);
+    let mixed: Vec<f64> = world.grains.place[67..97].iter().map(|place| place.radius).collect();
+    assert!(mixed.contains(&2e-3) && mixed.contains(&3e-3) && mixed.iter().all(|r| [2e-3, 3e-3].contains(r)));
+    let sieved = &world.grains.place[97..];
+    assert!(sieved.len() > 10 && sieved.iter().all(|place| (5e-4..=1e-3).contains(&place.radius)));
+    assert_eq!(scene.deletions.len(), 2);
+}
+
+/// Walls, insertions and deletions, and the first lines of the wall they stand before.
+const SHAPES: &str = r#"
+[[insertion]]
+name = "mixture"
+material = "glass"
+diameter-distribution = { mixture = [{ diameter = "4 mm", mass-fraction = 0.4 }, { diameter = "6 mm", mass-fraction = 0.6 }] }
+random-sphere = { centre = ["0.5 m", "0.5 m", "1 m"], radius = "5 cm", count = 30 }
+[[insertion]]
+name = "sieved"
+material = "glass"
+diameter-distribution = { sieve = { path = "curve.csv" } }
+random-cylinder = { from = ["0.5 m", "0.5 m", "1.2 m"], to = ["0.5 m", "0.5 m", "1.22 m"], radius = "1 cm", solid-fraction = 0.1 }
+[[insertion]]
+name = "spray"
+material = "glass"
+diameter-distribution = { lognormal = { median = "1 mm", deviation = 0.3, smallest = "0.5 mm", largest = "2 mm" } }
+rate = { sphere = { centre = ["0.5 m", "0.5 m", "1.8 m"], radius = "5 cm" }, mass-rate = "1 g/s" }
+[[deletion]]
+name = "out"
+box = { lower = ["0 m", "0 m", "0 m"], upper = ["0.01 m", "0.01 m", "0.01 m"] }
+[[deletion]]
+name = "below"
+beyond = { point = ["0 m", "0 m", "-0.1 m"], normal = [0, 0, 1] }
+[[wall]]
+name = "drum"
+material = "glass"
+cylinder = { point = ["0.5 m", "0 m", "0.5 m"], axis = [0, 1, 0], radius = "10 m", grains = "inside" }
+motion = { table = { path = "turn.csv", axis = [0, 1, 0], point = ["0.5 m", "0 m", "0.5 m"] } }
+[[wall]]
+name = "ball"
+material = "glass"
+sphere = { centre = ["0.8 m", "0.1 m", "0.1 m"], radius = "5 cm", grains = "outside" }
+[[wall]]
+name = "can"
+material = "glass"
+cylinder = { point = ["0.8 m", "0.8 m", "0.1 m"], axis = [0, 0, 3], radius = "5 cm", length = "10 cm", closed = true }
+motion = { table = { time = ["0 s", "1 s"], place = [["7 m", "0 m", "0 m"], ["7 m", "0 m", "-10 cm"]] } }
+[[wall]]
+name = "tile"
+material = "glass"
+obj = { path = "tile.obj", scale = 0.01, rims = 1 }
+[[wall]]
+name = "floor""#;
+
 /// A fluid side, and the first lines of the insertion it stands before.
 const FLUID: &str = r#"
 [fluid]

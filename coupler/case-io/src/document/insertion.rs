@@ -6,9 +6,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::quantity::{Angle, Length, MassRate, NumberRate, Time};
+use super::region::{CylinderRegion, Region, SphereRegion};
+use super::sizes::Distribution;
 use super::vector::{Point, VelocityVector};
 
-/// `[[insertion]]`; exactly one of `at`, `lattice`, `random-box`, `file`, `rate` places the grains.
+/// `[[insertion]]`; exactly one of `at`, `lattice`, `random-box`, `random-sphere`, `random-cylinder`, `file`, `rate` places
+/// the grains, exactly one of `diameter`, `diameter-range`, `diameter-distribution` sizes them.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Insertion {
@@ -16,10 +19,12 @@ pub struct Insertion {
     pub name: String,
     /// One of `[materials.*]`.
     pub material: String,
-    /// Diameter of all grains (or `diameter-range`; with `file`, the file's own diameters by default).
+    /// Diameter of all grains (with `file`, the file's own diameters by default).
     pub diameter: Option<Length>,
     /// Smallest and largest diameter of a uniform distribution.
     pub diameter_range: Option<[Length; 2]>,
+    /// Another distribution of diameters.
+    pub diameter_distribution: Option<Distribution>,
     /// Initial velocity; default at rest.
     pub velocity: Option<VelocityVector>,
     /// Whether the grains are fixed in place.
@@ -31,27 +36,44 @@ pub struct Insertion {
     pub lattice: Option<Lattice>,
     /// Random places without overlap in a box.
     pub random_box: Option<RandomBox>,
+    /// Random places without overlap in a sphere (2D: a circle).
+    pub random_sphere: Option<RandomSphere>,
+    /// Random places without overlap in a cylinder (3D).
+    pub random_cylinder: Option<RandomCylinder>,
     /// Places from a file.
     pub file: Option<GrainFile>,
-    /// A box that is fed over time.
+    /// A region that is fed over time.
     pub rate: Option<Rate>,
 }
 
 impl Insertion {
     /// How the grains are placed: the one way that loading has checked to be stated.
     pub fn placement(&self) -> Option<Placement<'_>> {
+        let random = [
+            self.random_box.as_ref().map(RandomBox::fill),
+            self.random_sphere.as_ref().map(RandomSphere::fill),
+            self.random_cylinder.as_ref().map(RandomCylinder::fill),
+        ];
         self.at
             .as_deref()
             .map(Placement::At)
             .or(self.lattice.as_ref().map(Placement::Lattice))
-            .or(self.random_box.as_ref().map(Placement::RandomBox))
+            .or(random.into_iter().flatten().next().map(Placement::Random))
             .or(self.file.as_ref().map(Placement::File))
             .or(self.rate.as_ref().map(Placement::Rate))
     }
 
-    /// Smallest and largest diameter in m; nothing if the file states them.
+    /// Smallest and largest diameter in m; nothing if a file states them.
     pub fn diameters(&self) -> Option<[f64; 2]> {
-        self.diameter.map(|d| [d.si(); 2]).or(self.diameter_range.map(|range| range.map(Length::si)))
+        self.diameter
+            .map(|d| [d.si(); 2])
+            .or(self.diameter_range.map(|range| range.map(Length::si)))
+            .or(self.diameter_distribution.as_ref().and_then(Distribution::ends))
+    }
+
+    /// Whether the case itself, or a file it names for that, sizes the grains.
+    pub fn is_sized(&self) -> bool {
+        self.diameter.is_some() || self.diameter_range.is_some() || self.diameter_distribution.is_some()
     }
 }
 
@@ -62,12 +84,25 @@ pub enum Placement<'a> {
     At(&'a [Point]),
     /// A regular lattice in a box.
     Lattice(&'a Lattice),
-    /// Random places without overlap in a box.
-    RandomBox(&'a RandomBox),
+    /// Random places without overlap in a region.
+    Random(RandomFill<'a>),
     /// Places from a file.
     File(&'a GrainFile),
-    /// A box that is fed over time.
+    /// A region that is fed over time.
     Rate(&'a Rate),
+}
+
+/// Random places without overlap in a region.
+#[derive(Clone, Copy, Debug)]
+pub struct RandomFill<'a> {
+    /// The key that states it.
+    pub key: &'static str,
+    /// The region.
+    pub region: Region<'a>,
+    /// Number of grains.
+    pub count: Option<u64>,
+    /// Fraction of the region that the grains fill.
+    pub solid_fraction: Option<f64>,
 }
 
 /// A regular lattice of grains in a box.
@@ -112,7 +147,61 @@ pub struct RandomBox {
     pub solid_fraction: Option<f64>,
 }
 
-/// Grains from a csv file (`x[m],y[m],z[m]`, and if wanted `vx[m/s]`…, `diameter[m]`) or a LIGGGHTS dump.
+impl RandomBox {
+    fn fill(&self) -> RandomFill<'_> {
+        let Self { count, solid_fraction, .. } = *self;
+        RandomFill { key: "random-box", region: Region::Box(&self.lower, &self.upper), count, solid_fraction }
+    }
+}
+
+/// Random places without overlap in a sphere; exactly one of `count` and `solid-fraction`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct RandomSphere {
+    /// Centre of the sphere.
+    pub centre: Point,
+    /// Radius of the sphere.
+    pub radius: Length,
+    /// Number of grains.
+    pub count: Option<u64>,
+    /// Fraction of the sphere that the grains fill.
+    pub solid_fraction: Option<f64>,
+}
+
+impl RandomSphere {
+    fn fill(&self) -> RandomFill<'_> {
+        let Self { count, solid_fraction, .. } = *self;
+        let region = Region::Sphere(&self.centre, self.radius);
+        RandomFill { key: "random-sphere", region, count, solid_fraction }
+    }
+}
+
+/// Random places without overlap in a cylinder with flat ends; exactly one of `count` and `solid-fraction`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct RandomCylinder {
+    /// Centre of one end.
+    pub from: Point,
+    /// Centre of the other end.
+    pub to: Point,
+    /// Radius of the cylinder.
+    pub radius: Length,
+    /// Number of grains.
+    pub count: Option<u64>,
+    /// Fraction of the cylinder that the grains fill.
+    pub solid_fraction: Option<f64>,
+}
+
+impl RandomCylinder {
+    fn fill(&self) -> RandomFill<'_> {
+        let Self { count, solid_fraction, .. } = *self;
+        let region = Region::Cylinder(&self.from, &self.to, self.radius);
+        RandomFill { key: "random-cylinder", region, count, solid_fraction }
+    }
+}
+
+/// Grains from a csv file (`x[m],y[m],z[m]`, and if wanted `vx[m/s]`…, `wx[rad/s]`…, `diameter[m]`), a LIGGGHTS dump or an
+/// XYZ file (plain or extended), the latter in SI units; of several snapshots the last.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct GrainFile {
@@ -120,14 +209,19 @@ pub struct GrainFile {
     pub path: PathBuf,
 }
 
-/// A box that is fed over time; exactly one of `mass-rate` and `number-rate`.
+/// A region that is fed over time: a box by `lower` and `upper`, or `sphere`, or `cylinder`; exactly one of `mass-rate` and
+/// `number-rate`. What finds no room waits, and is counted in `series/turnover.csv`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Rate {
     /// Lower corner of the box.
-    pub lower: Point,
+    pub lower: Option<Point>,
     /// Upper corner of the box.
-    pub upper: Point,
+    pub upper: Option<Point>,
+    /// A sphere (2D: a circle).
+    pub sphere: Option<SphereRegion>,
+    /// A cylinder with ends (3D).
+    pub cylinder: Option<CylinderRegion>,
     /// Mass fed per time.
     pub mass_rate: Option<MassRate>,
     /// Grains fed per time.
@@ -136,4 +230,15 @@ pub struct Rate {
     pub start: Option<Time>,
     /// Until this time; default the end of the run.
     pub stop: Option<Time>,
+}
+
+impl Rate {
+    /// The region: the one that loading has checked to be stated.
+    pub fn region(&self) -> Option<Region<'_>> {
+        let corners = self.lower.as_ref().zip(self.upper.as_ref());
+        corners
+            .map(|(lower, upper)| Region::Box(lower, upper))
+            .or(self.sphere.as_ref().map(SphereRegion::region))
+            .or(self.cylinder.as_ref().map(CylinderRegion::region))
+    }
 }

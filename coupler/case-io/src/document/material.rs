@@ -25,4 +25,10 @@ pub struct Pair {
     pub restitution: f64,
     /// Coefficient of sliding friction μ, not negative.
     pub sliding_friction: f64,
+    /// Coefficient of rolling friction μ_r, not negative (needed with `rolling-law`).
+    pub rolling_friction: Option<f64>,
+    /// Damping of rolling as a fraction of the critical one, not negative (needed with `rolling-law = "epsd"`).
+    pub rolling_damping_ratio: Option<f64>,
+    /// Cohesive energy per volume, not negative (needed with `cohesion-law`).
+    pub cohesion_energy_density: Option<Pressure>,
 }

@@ -1,8 +1,10 @@
 //! The case document: every table and key of `case.toml`, in SI.
 
+mod bond;
 mod boundary;
 mod case;
 mod coupling;
+mod deletion;
 #[cfg(test)]
 pub(crate) mod fixture;
 mod fluid;
@@ -14,7 +16,9 @@ mod mesh;
 mod output;
 mod probe;
 pub mod quantity;
+mod region;
 mod schema;
+mod sizes;
 mod sweep;
 mod time;
 mod unit;
@@ -29,22 +33,32 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub use bond::{Bond, BondLaw};
 pub use boundary::{Boundary, BoundaryKind, BoundaryVelocity, Profile};
 pub use case::{CaseTable, Dimension};
 pub use coupling::{Acceleration, Coupling, Drag, Scheme, Tolerance};
+pub use deletion::Deletion;
 pub use fluid::{Backend, Field, Fluid, Solve};
-pub use grains::{Escape, Grains, NormalLaw};
-pub use insertion::{GrainFile, Insertion, Lattice, LatticeKind, Placement, RandomBox, Rate};
+pub use grains::{CohesionLaw, Escape, Grains, NormalLaw, RollingLaw};
+pub use insertion::{
+    GrainFile, Insertion, Lattice, LatticeKind, Placement, RandomBox, RandomCylinder, RandomFill,
+    RandomSphere, Rate,
+};
 pub use load::{Case, Overrides};
 pub use material::{Material, Pair};
 pub use mesh::{BoxMesh, GmshFile, Mesh, MeshSource, PipeMesh};
 pub use output::{Interval, OutputTable};
 pub use probe::Probe;
+pub use region::{CylinderRegion, Region, SphereRegion};
 pub use schema::schema;
+pub use sizes::{Distribution, LognormalSizes, MixtureSize, NormalSizes, SieveFile};
 pub use time::TimeTable;
 pub use variant::{Run, Variant};
 pub use vector::{AccelerationVector, Axis, Bounds, Point, Vector, VelocityVector, unit_vector};
-pub use wall::{MeshBoundary, Motion, Oscillation, Plane, Rotation, StlFile, Wall, WallShape};
+pub use wall::{
+    Cylinder, MeshBoundary, Motion, MotionTable, Oscillation, Plane, Rotation, Servo, Side, Sphere,
+    SurfaceFile, Wall, WallShape,
+};
 
 /// A case as `case.toml` states it.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -68,6 +82,12 @@ pub struct Document {
     /// Where grains come from.
     #[serde(default)]
     pub insertion: Vec<Insertion>,
+    /// Which grains are glued together.
+    #[serde(default)]
+    pub bond: Vec<Bond>,
+    /// Where grains are taken out.
+    #[serde(default)]
+    pub deletion: Vec<Deletion>,
     /// What grains touch besides each other.
     #[serde(default)]
     pub wall: Vec<Wall>,
@@ -104,13 +124,23 @@ impl Document {
 
     /// The files that the case names: key and path, relative to the case's folder.
     pub fn files(&self) -> Vec<(String, &Path)> {
-        let grains = self.insertion.iter().enumerate().filter_map(|(k, insertion)| {
-            Some((format!("insertion[{k}].file.path"), insertion.file.as_ref()?.path.as_path()))
+        let grains = self.insertion.iter().enumerate().flat_map(|(k, insertion)| {
+            let sieve = insertion.diameter_distribution.as_ref().and_then(|sizes| sizes.sieve.as_ref());
+            let files = [
+                ("file.path", insertion.file.as_ref().map(|file| file.path.as_path())),
+                ("diameter-distribution.sieve.path", sieve.map(|sieve| sieve.path.as_path())),
+            ];
+            files.into_iter().filter_map(move |(key, path)| Some((format!("insertion[{k}].{key}"), path?)))
         });
-        let walls =
-            self.wall.iter().enumerate().filter_map(|(k, wall)| {
-                Some((format!("wall[{k}].stl.path"), wall.stl.as_ref()?.path.as_path()))
-            });
+        let walls = self.wall.iter().enumerate().flat_map(|(k, wall)| {
+            let table = wall.motion.as_ref().and_then(|motion| motion.table.as_ref()?.path.as_deref());
+            let files = [
+                ("stl.path", wall.stl.as_ref().map(|file| file.path.as_path())),
+                ("obj.path", wall.obj.as_ref().map(|file| file.path.as_path())),
+                ("motion.table.path", table),
+            ];
+            files.into_iter().filter_map(move |(key, path)| Some((format!("wall[{k}].{key}"), path?)))
+        });
         let mesh = self.fluid.as_ref().and_then(|fluid| fluid.mesh.as_ref()?.gmsh.as_ref());
         let mesh = mesh.map(|gmsh| ("fluid.mesh.gmsh.path".to_string(), gmsh.path.as_path()));
         grains.chain(walls).chain(mesh).collect()

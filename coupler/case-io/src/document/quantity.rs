@@ -165,6 +165,7 @@ kinds! {
     Pressure, "a pressure", [-1, 1, -2, 0], "Pa", "Pa";
     Viscosity, "a dynamic viscosity", [-1, 1, -1, 0], "Pa s", "mPa s";
     Force, "a force", [1, 1, -2, 0], "N", "N";
+    Mass, "a mass", [0, 1, 0, 0], "kg", "g";
     Angle, "an angle", [0, 0, 0, 1], "rad", "deg";
     AngularVelocity, "an angular velocity", [0, 0, -1, 1], "rad/s", "rad/s";
     MassRate, "a mass rate", [0, 1, -1, 0], "kg/s", "kg/s";
@@ -244,6 +245,7 @@ mod tests {
         reads::<kind::Pressure>();
         reads::<kind::Viscosity>();
         reads::<kind::Force>();
+        reads::<kind::Mass>();
         reads::<kind::Angle>();
         reads::<kind::AngularVelocity>();
         reads::<kind::MassRate>();

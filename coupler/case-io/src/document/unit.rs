@@ -322,7 +322,8 @@ mod tests {
         let refusal = |text: &str| parse::<Length>(text).unwrap_err();
         let example = "for example \"2.5 mm\" (a length)";
         assert_eq!(refusal("2.5"), "value 2.5 has no unit; write \"2.5 mm\" (a length)");
-        assert_eq!(refusal("2.5 kg"), format!("\"2.5 kg\" is in kg, not a length; write {example}"));
+        assert_eq!(refusal("2.5 kg^2"), format!("\"2.5 kg^2\" is in kg^2, not a length; write {example}"));
+        assert_eq!(refusal("2.5 kg"), format!("\"2.5 kg\" is a mass (kg), not a length; write {example}"));
         assert_eq!(refusal("2.5 s"), format!("\"2.5 s\" is a time (s), not a length; write {example}"));
         assert_eq!(
             refusal("2.5 m/m"),

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::quantity::{AngularVelocity, Length, NumberRate};
+use super::quantity::{Angle, AngularVelocity, Force, Length, Mass, NumberRate, Time, Velocity};
 use super::vector::{Point, VelocityVector, one};
 
-/// `[[wall]]`; exactly one of `plane`, `stl`, `mesh` gives its shape.
+/// `[[wall]]`; exactly one of `plane`, `cylinder`, `sphere`, `stl`, `obj`, `mesh` gives its shape.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Wall {
@@ -18,12 +18,20 @@ pub struct Wall {
     pub material: String,
     /// An infinite plane.
     pub plane: Option<Plane>,
-    /// Triangles of an STL file (3D).
-    pub stl: Option<StlFile>,
+    /// A circular cylinder, with or without ends (3D).
+    pub cylinder: Option<Cylinder>,
+    /// A sphere (2D: a circle).
+    pub sphere: Option<Sphere>,
+    /// Triangles of an STL file, ASCII or binary (3D).
+    pub stl: Option<SurfaceFile>,
+    /// Triangles of a Wavefront OBJ file (3D).
+    pub obj: Option<SurfaceFile>,
     /// Boundary faces of the fluid mesh.
     pub mesh: Option<MeshBoundary>,
-    /// Prescribed motion of a `plane` or `stl` wall; default at rest. Shapes are stated as at t = 0.
+    /// Prescribed motion of any wall but `mesh`; default at rest. Shapes are stated as at t = 0.
     pub motion: Option<Motion>,
+    /// Slide under a stated force, of any wall but `mesh`, on top of its prescribed motion; default none.
+    pub servo: Option<Servo>,
     /// Point, fixed in space, about which `series/walls.csv` tells the torque; default the origin.
     pub torque_about: Option<Point>,
 }
@@ -34,7 +42,10 @@ impl Wall {
         self.plane
             .as_ref()
             .map(WallShape::Plane)
+            .or(self.cylinder.as_ref().map(WallShape::Cylinder))
+            .or(self.sphere.as_ref().map(WallShape::Sphere))
             .or(self.stl.as_ref().map(WallShape::Stl))
+            .or(self.obj.as_ref().map(WallShape::Obj))
             .or(self.mesh.as_ref().map(WallShape::Mesh))
     }
 }
@@ -44,8 +55,14 @@ impl Wall {
 pub enum WallShape<'a> {
     /// An infinite plane.
     Plane(&'a Plane),
+    /// A circular cylinder.
+    Cylinder(&'a Cylinder),
+    /// A sphere.
+    Sphere(&'a Sphere),
     /// Triangles of an STL file.
-    Stl(&'a StlFile),
+    Stl(&'a SurfaceFile),
+    /// Triangles of an OBJ file.
+    Obj(&'a SurfaceFile),
     /// Boundary faces of the fluid mesh.
     Mesh(&'a MeshBoundary),
 }
@@ -60,15 +77,61 @@ pub struct Plane {
     pub normal: Vec<f64>,
 }
 
-/// Triangles of an STL file, ASCII or binary.
+/// A circular cylinder. Without `length` it has no ends, and grains are on one side of it; with `length` it is a thin
+/// shell that is felt from both sides.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub struct StlFile {
+pub struct Cylinder {
+    /// A point of the axis; with `length` the centre of one end.
+    pub point: Point,
+    /// Direction of the axis, of any length: three bare numbers.
+    pub axis: Vec<f64>,
+    /// Radius.
+    pub radius: Length,
+    /// Where grains are (without `length` only).
+    pub grains: Option<Side>,
+    /// Length from `point` along `axis`; default without ends.
+    pub length: Option<Length>,
+    /// Whether discs close both ends (with `length` only).
+    #[serde(default)]
+    pub closed: bool,
+}
+
+/// A sphere (2D: a circle).
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Sphere {
+    /// Its centre.
+    pub centre: Point,
+    /// Radius.
+    pub radius: Length,
+    /// Where grains are.
+    pub grains: Side,
+}
+
+/// On which side of a round wall grains are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Side {
+    /// In it.
+    Inside,
+    /// Around it.
+    Outside,
+}
+
+/// Triangles of a file.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct SurfaceFile {
     /// The file, relative to the case's folder.
     pub path: PathBuf,
-    /// STL has no unit: its coordinates times `scale` are metres.
+    /// Such files have no unit: their coordinates times `scale` are metres.
     #[serde(default = "one")]
     pub scale: f64,
+    /// How many rims the surface is meant to have: 0 if it is closed, 2 for a tube; another number is refused, as there is a
+    /// hole.
+    #[serde(default)]
+    pub rims: usize,
 }
 
 /// Boundary faces of the fluid mesh as contact triangles (2D: segments).
@@ -89,6 +152,23 @@ pub struct Motion {
     pub rotation: Option<Rotation>,
     /// Harmonic oscillation.
     pub oscillation: Option<Oscillation>,
+    /// Places and angles over time.
+    pub table: Option<MotionTable>,
+}
+
+/// Slide of a wall of stated mass along one direction under a stated force and that of the grains: at rest they hold the
+/// force (a stress times the area under it).
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Servo {
+    /// Direction in which it pushes, of any length: `dimension` bare numbers.
+    pub direction: Vec<f64>,
+    /// The force; its weight is not added.
+    pub force: Force,
+    /// Its inertia: the larger, the slower it answers.
+    pub mass: Mass,
+    /// Largest speed.
+    pub largest_speed: Velocity,
 }
 
 /// Rotation about an axis.
@@ -113,4 +193,23 @@ pub struct Oscillation {
     pub amplitude: Length,
     /// Oscillations per time.
     pub frequency: NumberRate,
+}
+
+/// Places and angles over time, from a csv file or from the lists `time` and `place` or `angle`; they count from the first
+/// row, between rows they change linearly, before the first and after the last the wall rests.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct MotionTable {
+    /// A csv file, relative to the case's folder, with the columns `t[s]`, and of `x[m],y[m],z[m],angle[rad]` what moves.
+    pub path: Option<PathBuf>,
+    /// Times, ascending.
+    pub time: Option<Vec<Time>>,
+    /// Place of any one point of the wall at each time.
+    pub place: Option<Vec<Point>>,
+    /// Angle at each time, right-handed about the axis.
+    pub angle: Option<Vec<Angle>>,
+    /// Direction of the axis of the angle, of any length: three bare numbers (3D only; in 2D the axis is z).
+    pub axis: Option<Vec<f64>>,
+    /// A point of the axis of the angle as the wall is stated.
+    pub point: Option<Point>,
 }

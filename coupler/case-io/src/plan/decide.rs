@@ -16,11 +16,16 @@ pub(super) fn decide(part: Part, document: &Document) -> Decision {
         | Part::Friction
         | Part::TangentialHistory
         | Part::Rotation
+        | Part::RollingResistance
+        | Part::Cohesion
+        | Part::Bonds
         | Part::PlaneWalls
+        | Part::RoundWalls
         | Part::TriangleWalls
         | Part::PeriodicWrap
         | Part::InsertionOverTime
         | Part::FrozenGrains
+        | Part::Deletion
         | Part::RemovalOfEscaped
         | Part::CriticalSubstep => match &document.grains {
             Some(grains) => of_grains(part, document, grains),
@@ -72,6 +77,11 @@ fn word(choice: impl serde::Serialize) -> String {
     serde_json::to_string(&choice).unwrap_or_default()
 }
 
+/// On because the case chooses.
+fn chosen(key: &str, choice: Option<impl serde::Serialize>) -> Decision {
+    choice.map_or_else(|| off(format!("no {key}")), |choice| on(format!("{key} = {}", word(choice))))
+}
+
 fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
     let insertions = |is: fn(&Insertion) -> bool| {
         document
@@ -92,12 +102,24 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
         Part::Contacts if document.pairs.is_empty() => off("a lone grain without walls"),
         Part::Contacts => on(format!("normal-law = {}", word(grains.normal_law))),
         Part::ContactDamping => named("pair with restitution below 1", pairs(|pair| pair.restitution < 1.0)),
+        Part::Rotation | Part::Bonds if !document.bond.is_empty() => {
+            on(format!("{} [[bond]]", document.bond.len()))
+        }
         Part::Friction | Part::TangentialHistory | Part::Rotation => {
             named("pair with sliding-friction", pairs(|pair| pair.sliding_friction > 0.0))
         }
+        Part::RollingResistance => chosen("rolling-law", grains.rolling_law),
+        Part::Cohesion => chosen("cohesion-law", grains.cohesion_law),
+        Part::Bonds => off("no [[bond]]"),
         Part::PlaneWalls => named("wall with plane", walls(|shape| matches!(shape, WallShape::Plane(_)))),
+        Part::RoundWalls => named(
+            "wall with cylinder or sphere",
+            walls(|shape| matches!(shape, WallShape::Cylinder(_) | WallShape::Sphere(_))),
+        ),
         Part::TriangleWalls => {
-            named("wall with stl or mesh", walls(|shape| !matches!(shape, WallShape::Plane(_))))
+            let named_walls =
+                walls(|shape| matches!(shape, WallShape::Stl(_) | WallShape::Obj(_) | WallShape::Mesh(_)));
+            named("wall with stl, obj or mesh", named_walls)
         }
         Part::PeriodicWrap => {
             let axes: Vec<String> = grains.periodic.iter().map(word).collect();
@@ -107,6 +129,7 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
             named("insertion with rate", insertions(|i| matches!(i.placement(), Some(Placement::Rate(_)))))
         }
         Part::FrozenGrains => named("frozen insertion", insertions(|i| i.frozen)),
+        Part::Deletion => named("deletion", document.deletion.iter().map(|deletion| deletion.name.as_str())),
         Part::RemovalOfEscaped => {
             (grains.escape == Escape::Remove, format!("escape = {}", word(grains.escape)))
         }
@@ -206,10 +229,15 @@ mod tests {
         );
         assert_eq!(on(CHANNEL), [Fluid, FlowSolution, Convection, Frames, RestartPoints]);
         let without = [
+            RollingResistance,
+            Cohesion,
+            Bonds,
+            RoundWalls,
             TriangleWalls,
             PeriodicWrap,
             InsertionOverTime,
             FrozenGrains,
+            Deletion,
             RemovalOfEscaped,
             BodyForce,
             BoundaryExpressions,
@@ -231,6 +259,11 @@ mod tests {
             format!("random-box = {{ {region}, count = 10 }}"),
             format!("rate = {{ {region}, number-rate = \"1 1/s\" }}"),
         );
+        let friction = "sliding-friction = 0.3\n[grains]\n";
+        let with = |said: &str, law: &str| format!("sliding-friction = 0.3\n{said}\n[grains]\n{law}\n");
+        let rolling = with("rolling-friction = 0.1", "rolling-law = \"cdt\"");
+        let cohesive = with("cohesion-energy-density = \"1 Pa\"", "cohesion-law = \"sjkr\"");
+        const BONDED: &str = "[[bond]]\nlaw = \"cohesive\"\ngap = \"1 m\"\nyoungs-modulus = \"1 Pa\"\npoissons-ratio = 0\n[[wall]]";
         for (base, from, to, part) in [
             (SETTLING, "drag = \"di-felice\"", "drag = \"none\"", Part::Drag),
             (SETTLING, "drag = \"di-felice\"", "drag = \"none\"", Part::SelfDisturbance),
@@ -249,6 +282,9 @@ mod tests {
             (SETTLING, "sliding-friction = 0.3", "sliding-friction = 0", Part::Friction),
             (SETTLING, "sliding-friction = 0.3", "sliding-friction = 0", Part::Rotation),
             (SETTLING, "restitution = 0.9", "restitution = 1", Part::ContactDamping),
+            (SETTLING, friction, &rolling, Part::RollingResistance),
+            (SETTLING, friction, &cohesive, Part::Cohesion),
+            (SETTLING, "[[wall]]", BONDED, Part::Bonds),
             (SETTLING, "plane = {", "mesh = { boundary = [\"z-min\"] } #", Part::TriangleWalls),
             (SETTLING, "plane = {", "mesh = { boundary = [\"z-min\"] } #", Part::PlaneWalls),
             (CHANNEL, "density", "body-force = [\"1 m/s^2\", \"0 m/s^2\"]\ndensity", Part::BodyForce),
@@ -284,7 +320,7 @@ mod tests {
         for line in [
             "contacts                        on   normal-law = \"hooke\"",
             "friction                        on   pair with sliding-friction: glass-glass, steel-glass",
-            "triangle walls                  off  no wall with stl or mesh",
+            "triangle walls                  off  no wall with stl, obj or mesh",
             "periodic wrap                   on   periodic axis: x",
             "fluid                           off  there is no [fluid]",
             "drag                            off  there is no [coupling]",

@@ -231,12 +231,12 @@ mod tests {
                 (
                     "normal-law",
                     "normal-lw",
-                    "case.toml:16: grains.normal-lw: unknown key; allowed: normal-law, characteristic-velocity, domain, escape, periodic; did you mean \"normal-law\"?",
+                    "case.toml:16: grains.normal-lw: unknown key; allowed: normal-law, characteristic-velocity, rolling-law, cohesion-law, domain, escape, periodic, start-overlap; did you mean \"normal-law\"?",
                 ),
                 (
                     "[time]",
                     "[tme]",
-                    "case.toml:5: tme: unknown key; allowed: case, time, output, materials, pairs, grains, insertion, wall, fluid, coupling, probe, variants, run; did you mean \"time\"?",
+                    "case.toml:5: tme: unknown key; allowed: case, time, output, materials, pairs, grains, insertion, bond, deletion, wall, fluid, coupling, probe, variants, run; did you mean \"time\"?",
                 ),
                 ("title = \"settling\"", "", "case.toml:1: case.title: missing; add it to [case]"),
                 (
@@ -263,7 +263,7 @@ mod tests {
                 (
                     "[grains]\nnormal-law = \"hertz\"",
                     "grains = 1",
-                    "case.toml:15: pairs.glass-glass.grains: unknown key; allowed: restitution, sliding-friction",
+                    "case.toml:15: pairs.glass-glass.grains: unknown key; allowed: restitution, sliding-friction, rolling-friction, rolling-damping-ratio, cohesion-energy-density",
                 ),
                 (
                     "normal-law = \"hertz\"",

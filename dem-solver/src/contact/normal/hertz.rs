@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use super::{Normal, linear_resolving_step};
 use crate::contact::coefficients::{Coefficients, Growth};
 use crate::grains::volume;
+use crate::lanes::Lanes;
 use crate::material::PairMaterial;
 
 /// Elastic spheres: F_n = max(0, 4/3 E* √(R* δ) δ + c_n δ'); S_n = 2 E* √(R* δ) its slope.
@@ -46,27 +47,24 @@ impl<const D: usize> Normal<D> for Hertz {
             tangential_stiffness: tangential,
             tangential_damping: damping(tangential),
             sliding_friction: pair.sliding_friction,
-            effective_mass,
+            inverse_mass: 1.0 / effective_mass,
         }
     }
 
-    #[inline]
-    fn growth(overlap: f64) -> Growth {
+    #[inline(always)]
+    fn growth<L: Lanes>(overlap: L) -> Growth<L> {
         if D == 2 {
-            return Growth { stiffness: 1.0, damping: 1.0 };
+            return Growth::none();
         }
         let root = overlap.sqrt();
         Growth { stiffness: root, damping: root.sqrt() }
     }
 
-    #[inline]
-    fn stored_energy(coefficients: &Coefficients, overlap: f64) -> f64 {
-        let order = if D == 2 { 0.5 } else { 0.4 };
-        order
-            * coefficients.normal_stiffness
-            * <Self as Normal<D>>::growth(overlap).stiffness
-            * overlap
-            * overlap
+    #[inline(always)]
+    fn stored_energy<L: Lanes>(coefficients: &Coefficients<L>, overlap: L) -> L {
+        let order = L::splat(if D == 2 { 0.5 } else { 0.4 });
+        let stiffness = coefficients.normal_stiffness * <Self as Normal<D>>::growth(overlap).stiffness;
+        order * stiffness * overlap * overlap
     }
 
     #[inline]

@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use super::{Normal, linear_resolving_step};
 use crate::contact::coefficients::{Coefficients, Growth};
+use crate::lanes::Lanes;
 use crate::material::PairMaterial;
 
 /// Linear contact: F_n = max(0, k_n δ + c_n δ').
@@ -43,18 +44,18 @@ impl<const D: usize> Normal<D> for Hooke {
             tangential_stiffness,
             tangential_damping: damping(tangential_stiffness),
             sliding_friction: pair.sliding_friction,
-            effective_mass,
+            inverse_mass: 1.0 / effective_mass,
         }
     }
 
-    #[inline]
-    fn growth(_: f64) -> Growth {
-        Growth { stiffness: 1.0, damping: 1.0 }
+    #[inline(always)]
+    fn growth<L: Lanes>(_: L) -> Growth<L> {
+        Growth::none()
     }
 
-    #[inline]
-    fn stored_energy(coefficients: &Coefficients, overlap: f64) -> f64 {
-        0.5 * coefficients.normal_stiffness * overlap * overlap
+    #[inline(always)]
+    fn stored_energy<L: Lanes>(coefficients: &Coefficients<L>, overlap: L) -> L {
+        L::splat(0.5) * coefficients.normal_stiffness * overlap * overlap
     }
 
     #[inline]

@@ -1,8 +1,9 @@
 //! The normal force of LIGGGHTS' `model hertz`.
 
-use super::{Hertz, Normal};
+use super::{Hertz, Normal, liggghts};
 use crate::contact::coefficients::{Coefficients, Growth};
 use crate::contact::restitution::pulling_damping_ratio;
+use crate::lanes::Lanes;
 use crate::material::PairMaterial;
 
 /// F_n = k_n δ + γ_n δ' as LIGGGHTS-PUBLIC 3.8.0 has it (`limitForce off`), which pulls at the end of a damped
@@ -30,25 +31,28 @@ impl<const D: usize> Normal<D> for LiggghtsHertz {
         Normal::<D>::coefficients(&HERTZ, &pair, effective_radius, effective_mass)
     }
 
-    #[inline]
-    fn growth(overlap: f64) -> Growth {
+    #[inline(always)]
+    fn growth<L: Lanes>(overlap: L) -> Growth<L> {
         <Hertz as Normal<D>>::growth(overlap)
     }
 
-    #[inline]
-    fn force(coefficients: &Coefficients, overlap: f64, closing: f64, _: f64) -> f64 {
-        let growth = <Self as Normal<D>>::growth(overlap);
-        coefficients.normal_stiffness * growth.stiffness * overlap
-            + coefficients.normal_damping * growth.damping * closing
+    #[inline(always)]
+    fn force<L: Lanes>(coefficients: &Coefficients<L>, overlap: L, closing: L, _: L) -> L {
+        liggghts::force::<D, Self, L>(coefficients, overlap, closing)
     }
 
-    #[inline]
-    fn arm(radius: f64, overlap: f64, _: f64) -> f64 {
-        radius - 0.5 * overlap
+    #[inline(always)]
+    fn arm<L: Lanes>(radius: L, overlap: L, _: L) -> L {
+        liggghts::arm(radius, overlap)
     }
 
-    #[inline]
-    fn stored_energy(coefficients: &Coefficients, overlap: f64) -> f64 {
+    #[inline(always)]
+    fn wall_spin<L: Lanes>(radius: L, overlap: L) -> L {
+        liggghts::wall_spin(radius, overlap)
+    }
+
+    #[inline(always)]
+    fn stored_energy<L: Lanes>(coefficients: &Coefficients<L>, overlap: L) -> L {
         <Hertz as Normal<D>>::stored_energy(coefficients, overlap)
     }
 

@@ -1,8 +1,9 @@
 //! The normal force of LIGGGHTS' `model hooke`.
 
-use super::{Hooke, Normal, linear_resolving_step};
+use super::{Hooke, Normal, liggghts, linear_resolving_step};
 use crate::contact::coefficients::{Coefficients, Growth};
 use crate::contact::restitution::pulling_damping_ratio;
+use crate::lanes::Lanes;
 use crate::material::PairMaterial;
 
 /// F_n = k_n δ + γ_n δ' as LIGGGHTS-PUBLIC 3.8.0 has it (`limitForce off`, `ktToKnUser off`), which pulls at the end
@@ -32,27 +33,32 @@ impl<const D: usize> Normal<D> for LiggghtsHooke {
             tangential_stiffness: stiffness,
             tangential_damping: damping,
             sliding_friction: pair.sliding_friction,
-            effective_mass,
+            inverse_mass: 1.0 / effective_mass,
         }
     }
 
-    #[inline]
-    fn growth(overlap: f64) -> Growth {
+    #[inline(always)]
+    fn growth<L: Lanes>(overlap: L) -> Growth<L> {
         <Hooke as Normal<D>>::growth(overlap)
     }
 
-    #[inline]
-    fn force(coefficients: &Coefficients, overlap: f64, closing: f64, _: f64) -> f64 {
-        coefficients.normal_stiffness * overlap + coefficients.normal_damping * closing
+    #[inline(always)]
+    fn force<L: Lanes>(coefficients: &Coefficients<L>, overlap: L, closing: L, _: L) -> L {
+        liggghts::force::<D, Self, L>(coefficients, overlap, closing)
     }
 
-    #[inline]
-    fn arm(radius: f64, overlap: f64, _: f64) -> f64 {
-        radius - 0.5 * overlap
+    #[inline(always)]
+    fn arm<L: Lanes>(radius: L, overlap: L, _: L) -> L {
+        liggghts::arm(radius, overlap)
     }
 
-    #[inline]
-    fn stored_energy(coefficients: &Coefficients, overlap: f64) -> f64 {
+    #[inline(always)]
+    fn wall_spin<L: Lanes>(radius: L, overlap: L) -> L {
+        liggghts::wall_spin(radius, overlap)
+    }
+
+    #[inline(always)]
+    fn stored_energy<L: Lanes>(coefficients: &Coefficients<L>, overlap: L) -> L {
         <Hooke as Normal<D>>::stored_energy(coefficients, overlap)
     }
 

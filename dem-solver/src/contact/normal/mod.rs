@@ -2,11 +2,13 @@
 
 mod hertz;
 mod hooke;
+mod liggghts;
 mod liggghts_hertz;
 mod liggghts_hooke;
 mod push;
 
 use super::coefficients::{Coefficients, Growth};
+use crate::lanes::Lanes;
 use crate::material::PairMaterial;
 
 use push::push;
@@ -24,29 +26,36 @@ pub trait Normal<const D: usize>: Copy + Send + Sync {
     fn coefficients(&self, pair: &PairMaterial, effective_radius: f64, effective_mass: f64) -> Coefficients;
 
     /// Growth of stiffness and damping at this overlap \[m\].
-    fn growth(overlap: f64) -> Growth;
+    fn growth<L: Lanes>(overlap: L) -> Growth<L>;
 
     /// Mean normal force in a substep \[s\], positive where the bodies push each other apart \[N\], at the overlap
     /// \[m\] of its middle and the closing speed δ' \[m/s\] of its start.
     ///
     /// Unless a law says otherwise it pushes or vanishes, never pulls, and keeps to the stated restitution.
-    #[inline]
-    fn force(coefficients: &Coefficients, overlap: f64, closing: f64, step: f64) -> f64 {
-        push::<D, Self>(coefficients, overlap, closing, step)
+    #[inline(always)]
+    fn force<L: Lanes>(coefficients: &Coefficients<L>, overlap: L, closing: L, step: L) -> L {
+        push::<D, Self, L>(coefficients, overlap, closing, step)
     }
 
-    /// Distance from the centre of a body of this radius at which surface speed and friction are taken \[m\]; `reach`
-    /// is the sum of the two radii, infinite for a wall.
+    /// Distance from the centre of a body of this radius at which surface speed and friction are taken \[m\]; `share`
+    /// is the body's share r/(r_i + r_j) of the sum of the two radii, 0 on a wall.
     ///
-    /// Unless a law says otherwise r (1 - δ/reach): the two arms add up to the distance, so that no angular
-    /// momentum is lost, two spheres gear as ω_i r_i = -ω_j r_j, and on a wall rolling is v = ω r, at any overlap.
-    #[inline]
-    fn arm(radius: f64, overlap: f64, reach: f64) -> f64 {
-        radius * (1.0 - overlap / reach)
+    /// Unless a law says otherwise r - share δ: the two arms add up to the distance, so that no angular momentum is
+    /// lost, two spheres gear as ω_i r_i = -ω_j r_j, and on a wall rolling is v = ω r, at any overlap.
+    #[inline(always)]
+    fn arm<L: Lanes>(radius: L, overlap: L, share: L) -> L {
+        radius - share * overlap
+    }
+
+    /// Spin relative to a wall at rest, as resistance to rolling counts it, over the body's own: 1 unless a law says
+    /// otherwise.
+    #[inline(always)]
+    fn wall_spin<L: Lanes>(_radius: L, _overlap: L) -> L {
+        L::splat(1.0)
     }
 
     /// Energy stored in the normal spring, ∫₀^δ k(δ) δ dδ \[J\].
-    fn stored_energy(coefficients: &Coefficients, overlap: f64) -> f64;
+    fn stored_energy<L: Lanes>(coefficients: &Coefficients<L>, overlap: L) -> L;
 
     /// Slope of the elastic force, d(k(δ) δ)/dδ \[N/m\].
     fn slope(coefficients: &Coefficients, overlap: f64) -> f64;

@@ -2,6 +2,7 @@
 
 use super::Normal;
 use crate::contact::coefficients::Coefficients;
+use crate::lanes::Lanes;
 
 /// δ^(1/4), which Hertz's damping grows with, has its mean over a touch that begins at δ = 0 at this fraction of the
 /// last overlap: (4/5)⁴.
@@ -16,24 +17,28 @@ const MEAN_POINT: f64 = 0.4096;
 ///    for f h, f = 1/2 + δ/(δ' h), and overlap by f δ' h. The impulse is that of all of this time: of the spring
 ///    U(f δ' h)/δ', U its stored energy, of the dashpot f h times the mean of c, times δ'. A contact then gains no
 ///    energy wherever in a substep it begins.
-#[inline]
-pub fn push<const D: usize, N: Normal<D>>(
-    coefficients: &Coefficients,
-    overlap: f64,
-    closing: f64,
-    step: f64,
-) -> f64 {
+#[inline(always)]
+pub fn push<const D: usize, N: Normal<D>, L: Lanes>(
+    coefficients: &Coefficients<L>,
+    overlap: L,
+    closing: L,
+    step: L,
+) -> L {
+    let one = L::splat(1.0);
+    let growth = N::growth(overlap);
+    let mut elastic = coefficients.normal_stiffness * growth.stiffness * overlap;
+    let mut damping = growth.damping;
     let approach = closing * step;
-    let (elastic, growth) = if overlap < approach {
-        let touched = 0.5 + overlap / approach;
+    let met = L::both(L::splat(0.0).less(overlap), overlap.less(approach));
+    if L::any(met) {
+        let approach = L::select(met, approach, one);
+        let touched = L::splat(0.5) + overlap / approach;
         let reached = touched * approach;
-        let mean_growth = N::growth(MEAN_POINT * reached).damping;
-        (N::stored_energy(coefficients, reached) / approach, touched * mean_growth)
-    } else {
-        let growth = N::growth(overlap);
-        (coefficients.normal_stiffness * growth.stiffness * overlap, growth.damping)
-    };
-    let damping = coefficients.normal_damping * growth;
-    let viscous = damping * closing / (1.0 + damping * step / (4.0 * coefficients.effective_mass));
-    (elastic + viscous).max(0.0)
+        let mean = N::growth(L::splat(MEAN_POINT) * reached).damping;
+        elastic = L::select(met, N::stored_energy(coefficients, reached) / approach, elastic);
+        damping = L::select(met, touched * mean, damping);
+    }
+    let damping = coefficients.normal_damping * damping;
+    let q = damping * (step * L::splat(0.25) * coefficients.inverse_mass);
+    (elastic + damping * closing / (one + q)).max(L::splat(0.0))
 }

@@ -2,17 +2,17 @@
 
 use super::{Sliding, Spring, Tangential};
 use crate::contact::coefficients::{Coefficients, Growth};
-use crate::vector::Vector;
+use crate::lanes::{Lanes, Vec3};
 
 /// No tangential force, F_t = 0: for scenes where no pair has friction.
 #[derive(Clone, Copy, Debug)]
 pub struct Frictionless;
 
-impl<const D: usize> Tangential<D> for Frictionless {
+impl Tangential for Frictionless {
     const REMEMBERS: bool = false;
 
-    #[inline]
-    fn force(_: &Coefficients, _: Growth, _: &Sliding<D>, _: &mut Spring<D>) -> Vector<D> {
-        Vector::zeros()
+    #[inline(always)]
+    fn force<L: Lanes>(_: &Coefficients<L>, _: Growth<L>, _: &Sliding<L>, _: &mut Spring<L>) -> Vec3<L> {
+        Vec3::zero()
     }
 }

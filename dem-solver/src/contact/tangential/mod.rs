@@ -5,7 +5,7 @@ mod frictionless;
 mod liggghts_history;
 
 use super::coefficients::{Coefficients, Growth};
-use crate::vector::Vector;
+use crate::lanes::{Lanes, Vec3};
 
 pub use coulomb::Coulomb;
 pub use frictionless::Frictionless;
@@ -14,19 +14,34 @@ pub use liggghts_history::LiggghtsHistory;
 /// Memory of a rubbing contact; all zero before the first touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
-pub struct Spring<const D: usize> {
-    /// Elongation s of the tangential spring, as the first body sees it \[m\].
-    pub elongation: Vector<D>,
-    /// Its stiffness when it was last loaded \[N/m\].
-    pub stiffness: f64,
+pub struct Spring<L = f64> {
+    /// Force k_t s that the tangential spring holds, as the first body sees it \[N\].
+    pub force: Vec3<L>,
+    /// Its stiffness k_t when it was last loaded \[N/m\].
+    pub stiffness: L,
+    /// Torque that the spring against rolling holds \[N m\]; 0 where there is none.
+    pub torque: Vec3<L>,
 }
 
-impl<const D: usize> Spring<D> {
+impl<L: Lanes> Spring<L> {
     /// The spring of two bodies that do not touch.
+    #[inline(always)]
     pub fn relaxed() -> Self {
-        Self { elongation: Vector::zeros(), stiffness: 0.0 }
+        Self { force: Vec3::zero(), stiffness: L::splat(0.0), torque: Vec3::zero() }
     }
 
+    /// The spring where the mask holds, else a relaxed one.
+    #[inline(always)]
+    pub fn only(self, mask: L::Mask) -> Self {
+        Self {
+            force: self.force.only(mask),
+            stiffness: self.stiffness.only(mask),
+            torque: self.torque.only(mask),
+        }
+    }
+}
+
+impl Spring {
     /// Whether the two bodies touched in the last step.
     pub fn is_active(&self) -> bool {
         self.stiffness > 0.0
@@ -34,40 +49,50 @@ impl<const D: usize> Spring<D> {
 
     /// The spring as the second body sees it.
     pub fn reversed(self) -> Self {
-        Self { elongation: -self.elongation, ..self }
+        Self { force: -self.force, torque: -self.torque, ..self }
+    }
+
+    /// Energy of the tangential spring, (k_t s)²/(2 k_t) \[J\].
+    pub fn energy(&self) -> f64 {
+        if self.is_active() { 0.5 * self.force.norm_squared() / self.stiffness } else { 0.0 }
     }
 }
 
 /// What sliding asks of a tangential law.
 #[derive(Clone, Copy, Debug)]
-pub struct Sliding<const D: usize> {
+pub struct Sliding<L> {
     /// Unit normal n, from the first body to the second.
-    pub normal: Vector<D>,
+    pub normal: Vec3<L>,
     /// Tangential velocity of the first body's surface relative to the second's \[m/s\].
-    pub velocity: Vector<D>,
+    pub velocity: Vec3<L>,
     /// Largest force that friction bears, μ |F_n| \[N\].
-    pub limit: f64,
+    pub limit: L,
     /// Time since the spring was last moved \[s\].
-    pub step: f64,
+    pub step: L,
 }
 
 /// A law for the tangential force of two bodies in contact.
-pub trait Tangential<const D: usize> {
+pub trait Tangential {
     /// Whether contacts remember a [`Spring`].
     const REMEMBERS: bool;
 
     /// The force on the first body \[N\]; moves the spring by one step.
-    fn force(
-        coefficients: &Coefficients,
-        growth: Growth,
-        sliding: &Sliding<D>,
-        spring: &mut Spring<D>,
-    ) -> Vector<D>;
+    fn force<L: Lanes>(
+        coefficients: &Coefficients<L>,
+        growth: Growth<L>,
+        sliding: &Sliding<L>,
+        spring: &mut Spring<L>,
+    ) -> Vec3<L>;
 }
 
 /// The vector, cut to this length if it is longer.
-#[inline]
-fn shortened<const D: usize>(vector: Vector<D>, length: f64) -> Vector<D> {
+#[inline(always)]
+pub(super) fn shortened<L: Lanes>(vector: Vec3<L>, length: L) -> Vec3<L> {
     let squared = vector.norm_squared();
-    if squared > length * length { vector * (length / squared.sqrt()) } else { vector }
+    let longer = (length * length).less(squared);
+    if !L::any(longer) {
+        return vector;
+    }
+    let one = L::splat(1.0);
+    vector * L::select(longer, length / L::select(longer, squared, one).sqrt(), one)
 }

@@ -17,6 +17,7 @@ use std::sync::Arc;
 const VISCOUS: f64 = 5.0;
 
 /// What resists a change of velocity.
+#[derive(Clone, Copy)]
 pub struct Resistances<'a> {
     /// a₀ (1/s).
     pub rate: f64,
@@ -28,8 +29,6 @@ pub struct Resistances<'a> {
     pub void_fraction: &'a [f64],
     /// β per volume at the nodes (kg/(m³ s)).
     pub drag: &'a [f64],
-    /// How the grains give way, at the nodes; empty if no grain acts.
-    pub compliance: &'a [Compliance],
 }
 
 impl Resistances<'_> {
@@ -38,11 +37,16 @@ impl Resistances<'_> {
         self.rate * self.density * self.void_fraction[node] + self.drag[node]
     }
 
-    /// κ = (ε + r)(ε + e)/(a₀ρε + β) + k at the nodes (m³ s/kg).
-    pub fn mobility(&self) -> Vec<f64> {
+    /// ε²/(a₀ρε + β) at a node (m³ s/kg): the fluid's own mobility.
+    pub fn own_mobility(&self, node: usize) -> f64 {
+        self.void_fraction[node] * self.void_fraction[node] / self.at(node)
+    }
+
+    /// κ = (ε + r)(ε + e)/(a₀ρε + β) + k at the nodes (m³ s/kg), with how the grains give way; empty if no grain acts.
+    pub fn mobility(&self, compliance: &[Compliance]) -> Vec<f64> {
         let mobility = |(node, void): (usize, &f64)| {
             let Compliance { relayed, entrained, pressed } =
-                self.compliance.get(node).copied().unwrap_or_default();
+                compliance.get(node).copied().unwrap_or_default();
             (void + relayed) * (void + entrained) / self.at(node) + pressed
         };
         self.void_fraction.iter().enumerate().map(mobility).collect()

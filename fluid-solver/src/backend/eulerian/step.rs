@@ -4,7 +4,7 @@ use super::assembly::{AssemblyScratch, Ingredients};
 use super::balance::balance_momentum;
 use super::compliance::{Compliance, Given};
 use super::exchange::{Exchange, Part};
-use super::flow::Flow;
+use super::flow::{Flow, Properties};
 use super::incidence::for_each_node;
 use super::krylov::{StepOperator, split, split_mut};
 use super::matrices::{Matrices, ProductScratch};
@@ -140,10 +140,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         {
             *density = resistance / measure;
         }
+        let resistance = resistances(rule, &self.properties, &self.state, &work.drag_density);
         for (node, compliance) in work.compliance.iter_mut().enumerate() {
-            let void = self.state.void_fraction[node];
-            let resistance = rule.new * self.properties.density * void + work.drag_density[node];
-            compliance.pressed = compliance.pressed.min(MOST_PRESSED * void * void / resistance);
+            compliance.pressed = compliance.pressed.min(MOST_PRESSED * resistance.own_mobility(node));
         }
         let ingredients = Ingredients {
             mesh: &self.mesh,
@@ -168,16 +167,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     fn precondition(&mut self, rule: TimeRule) -> Result<(), linear::Error> {
         let Workspace { matrices, preconditioning, drag_density, compliance, .. } = &mut self.work;
-        let resistance = Resistances {
-            rate: rule.new,
-            density: self.properties.density,
-            viscosity: self.properties.viscosity,
-            void_fraction: &self.state.void_fraction,
-            drag: drag_density,
-            compliance,
-        };
+        let resistance = resistances(rule, &self.properties, &self.state, drag_density);
         preconditioning.refresh(&self.mesh, matrices, &self.constraints, &resistance)?;
-        let mobility = resistance.mobility();
+        let mobility = resistance.mobility(compliance);
         preconditioning.schur.refresh(&self.mesh, &self.incidence, &self.outlets, &mobility)
     }
 
@@ -243,4 +235,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         for_each_node(sizes, |i, size| *size = matrices.force_size(i, &self.state.pressure));
         ROUND_OFF * vector::norm(sizes.as_flattened())
     }
+}
+
+/// What resists a change of velocity in a step, with this drag per volume at the nodes (kg/(m³ s)).
+fn resistances<'a, const D: usize>(
+    rule: TimeRule,
+    properties: &Properties<D>,
+    state: &'a State<D>,
+    drag: &'a [f64],
+) -> Resistances<'a> {
+    let Properties { density, viscosity, .. } = *properties;
+    Resistances { rate: rule.new, density, viscosity, void_fraction: &state.void_fraction, drag }
 }

@@ -36,7 +36,8 @@ fn case(document: &Document, rules: &Rules) -> Result<(), CaseError> {
 fn draws(document: &Document) -> bool {
     let drawn = document.insertion.iter().any(|insertion| {
         insertion.diameter_range.is_some()
-            || matches!(insertion.placement(), Some(Placement::RandomBox(_) | Placement::Rate(_)))
+            || insertion.diameter_distribution.is_some()
+            || matches!(insertion.placement(), Some(Placement::Random(_) | Placement::Rate(_)))
     });
     let mesh = document.fluid.as_ref().and_then(|fluid| fluid.mesh.as_ref()).and_then(|mesh| mesh.source());
     drawn || matches!(mesh, Some(MeshSource::Box(mesh)) if mesh.jitter > 0.0)

@@ -29,6 +29,11 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
         rules.corners("grains.domain", &domain.lower, &domain.upper)?;
     }
     rules.axes("grains.periodic", &grains.periodic)?;
+    let (key, overlap) = ("grains.start-overlap", grains.start_overlap);
+    if grains.normal_law == NormalLaw::None {
+        rules.no_effect(key, "with normal-law = \"none\"")?;
+    }
+    rules.number(key, overlap, (0.0..0.5).contains(&overlap), "from 0, less than 0.5")?;
     periodic(document, grains, rules)
 }
 
@@ -128,6 +133,26 @@ mod tests {
                 "\"hooke\"",
                 "\"liggghts-hooke\"",
                 "case.toml:23: grains.normal-law: the laws of LIGGGHTS are for spheres; allowed: \"hooke\", \"hertz\", \"none\"",
+            )],
+        );
+    }
+
+    #[test]
+    fn an_overlap_at_the_start_is_a_fraction_of_a_diameter() {
+        assert_refusals(
+            DRY,
+            &[(
+                "[[insertion]]",
+                "start-overlap = 0.5\n[[insertion]]",
+                "case.toml:27: grains.start-overlap: found 0.5; allowed: from 0, less than 0.5",
+            )],
+        );
+        assert_refusals(
+            CARRIED,
+            &[(
+                "[[insertion]]",
+                "start-overlap = 0.02\n[[insertion]]",
+                "case.toml:12: grains.start-overlap: has no effect with normal-law = \"none\"; delete it",
             )],
         );
     }

@@ -1,9 +1,13 @@
 //! `[[insertion]]`
 
 use super::rules::Rules;
+use super::{region, sizes};
 use crate::document::quantity::{Length, Time};
 use crate::document::{Document, Insertion, NormalLaw, Placement, Rate};
 use crate::error::CaseError;
+
+const PLACEMENTS: [&str; 7] =
+    ["at", "lattice", "random-box", "random-sphere", "random-cylinder", "file", "rate"];
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
     let Some(grains) = &document.grains else {
@@ -17,35 +21,14 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
     for (index, insertion) in document.insertion.iter().enumerate() {
         let table = format!("insertion[{index}]");
         rules.known(&format!("{table}.material"), "material", &insertion.material, &materials)?;
-        rules.exactly_one(&table, &["at", "lattice", "random-box", "file", "rate"])?;
-        diameter(insertion, &table, rules)?;
+        rules.exactly_one(&table, &PLACEMENTS)?;
+        sizes::check(insertion, &table, rules)?;
         rules.optional_vector(&format!("{table}.velocity"), insertion.velocity.as_ref())?;
         if insertion.frozen {
             rules.no_effect(&format!("{table}.velocity"), "where frozen = true")?;
         }
         let overlap_matters = grains.normal_law != NormalLaw::None && !insertion.frozen;
         placement(document, insertion, &table, overlap_matters, rules)?;
-    }
-    Ok(())
-}
-
-fn diameter(insertion: &Insertion, table: &str, rules: &Rules) -> Result<(), CaseError> {
-    let from_file = matches!(insertion.placement(), Some(Placement::File(_)));
-    if !from_file || (insertion.diameter.is_some() && insertion.diameter_range.is_some()) {
-        rules.exactly_one(table, &["diameter", "diameter-range"])?;
-    }
-    rules.optional_positive(&format!("{table}.diameter"), insertion.diameter)?;
-    if let Some([smallest, largest]) = insertion.diameter_range {
-        rules.positive(&format!("{table}.diameter-range[0]"), smallest)?;
-        if largest.si() <= smallest.si() {
-            let allowed = format!("more than the smallest, {smallest}");
-            return rules.refuse(
-                &format!("{table}.diameter-range[1]"),
-                format_args!("found {largest}"),
-                allowed,
-                "",
-            );
-        }
     }
     Ok(())
 }
@@ -87,9 +70,9 @@ fn placement(
                 _ => Ok(()),
             }
         }
-        Some(Placement::RandomBox(random)) => {
-            let key = format!("{table}.random-box");
-            rules.corners(&key, &random.lower, &random.upper)?;
+        Some(Placement::Random(random)) => {
+            let key = format!("{table}.{}", random.key);
+            region::check(rules, &key, random.region)?;
             rules.exactly_one(&key, &["count", "solid-fraction"])?;
             if random.count == Some(0) {
                 return rules.refuse(&format!("{key}.count"), "found 0", "1 or more", "");
@@ -109,7 +92,17 @@ fn placement(
 }
 
 fn rate(document: &Document, rate: &Rate, table: &str, rules: &Rules) -> Result<(), CaseError> {
-    rules.corners(table, &rate.lower, &rate.upper)?;
+    rules.exactly_one(table, &["lower", "sphere", "cylinder"])?;
+    if rate.lower.is_some() {
+        rules.required(&format!("{table}.upper"), "state the other corner of the box")?;
+    } else {
+        rules.no_effect(&format!("{table}.upper"), "without lower")?;
+    }
+    if let Some(stated) = rate.region() {
+        let within = if rate.sphere.is_some() { ".sphere" } else { ".cylinder" };
+        let key = if rate.lower.is_some() { table.to_string() } else { format!("{table}{within}") };
+        region::check(rules, &key, stated)?;
+    }
     rules.exactly_one(table, &["mass-rate", "number-rate"])?;
     rules.optional_positive(&format!("{table}.mass-rate"), rate.mass_rate)?;
     rules.optional_positive(&format!("{table}.number-rate"), rate.number_rate)?;
@@ -175,12 +168,12 @@ mod tests {
                 (
                     AT,
                     "",
-                    "case.toml:17: insertion[0]: none of these keys is given; allowed: exactly one of at, lattice, random-box, file, rate",
+                    "case.toml:17: insertion[0]: none of these keys is given; allowed: exactly one of at, lattice, random-box, random-sphere, random-cylinder, file, rate",
                 ),
                 (
                     "at = [[",
                     "file = { path = \"x.csv\" }\nat = [[",
-                    "case.toml:17: insertion[0]: at and file exclude each other; allowed: exactly one of at, lattice, random-box, file, rate",
+                    "case.toml:17: insertion[0]: at and file exclude each other; allowed: exactly one of at, lattice, random-box, random-sphere, random-cylinder, file, rate",
                 ),
                 (
                     AT,
@@ -195,7 +188,7 @@ mod tests {
                 (
                     "diameter = \"2 mm\"",
                     "",
-                    "case.toml:17: insertion[0]: none of these keys is given; allowed: exactly one of diameter, diameter-range",
+                    "case.toml:17: insertion[0]: none of these keys is given; allowed: exactly one of diameter, diameter-range, diameter-distribution",
                 ),
                 (
                     "diameter = \"2 mm\"",
@@ -205,7 +198,7 @@ mod tests {
                 (
                     "diameter = \"2 mm\"",
                     "diameter = \"2 mm\"\ndiameter-range = [\"1 mm\", \"2 mm\"]",
-                    "case.toml:17: insertion[0]: diameter and diameter-range exclude each other; allowed: exactly one of diameter, diameter-range",
+                    "case.toml:17: insertion[0]: diameter and diameter-range exclude each other; allowed: exactly one of diameter, diameter-range, diameter-distribution",
                 ),
                 (
                     "diameter = \"2 mm\"",

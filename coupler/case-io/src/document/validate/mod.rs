@@ -1,14 +1,20 @@
 //! What must hold beyond the form: all that can be checked without the mesh and without the solvers.
 
+mod bond;
 mod coupling;
+mod deletion;
 mod fluid;
 mod general;
 mod grains;
 mod insertion;
 mod material;
 mod mesh;
+mod motion_table;
 mod probe;
+mod region;
 mod rules;
+mod sizes;
+mod surface;
 mod wall;
 
 use super::Document;
@@ -23,10 +29,13 @@ pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseE
     let rules = &Rules { source, dimension: document.case.dimension };
     general::check(document, rules)?;
     insertion::check(document, rules)?;
+    bond::check(document, rules)?;
+    deletion::check(document, rules)?;
     wall::check(document, rules)?;
     material::check(document, rules)?;
     fluid::check(document, rules)?;
     grains::check(document, rules)?;
+    surface::check(document, rules)?;
     coupling::check(document, rules)?;
     probe::check(document, rules)
 }

@@ -1,8 +1,9 @@
 //! `[[wall]]`
 
 use super::mesh::boundary_names;
+use super::motion_table;
 use super::rules::Rules;
-use crate::document::{Dimension, Document, Motion, Wall, WallShape};
+use crate::document::{Cylinder, Dimension, Document, Motion, Servo, SurfaceFile, Wall, WallShape};
 use crate::error::CaseError;
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
@@ -14,20 +15,20 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
     for (index, wall) in document.wall.iter().enumerate() {
         let table = format!("wall[{index}]");
         rules.known(&format!("{table}.material"), "material", &wall.material, &materials)?;
-        rules.exactly_one(&table, &["plane", "stl", "mesh"])?;
+        rules.exactly_one(&table, &["plane", "cylinder", "sphere", "stl", "obj", "mesh"])?;
         match wall.shape() {
             Some(WallShape::Plane(plane)) => {
                 rules.vector(&format!("{table}.plane.point"), &plane.point)?;
                 let allowed = "any direction, towards the grains";
                 direction(rules, &format!("{table}.plane.normal"), &plane.normal, allowed)?;
             }
-            Some(WallShape::Stl(stl)) => {
-                if rules.dimension == Dimension::Two {
-                    let advice = "use plane or mesh";
-                    return rules.refuse(&format!("{table}.stl"), "triangles are no walls in 2D", "", advice);
-                }
-                rules.number(&format!("{table}.stl.scale"), stl.scale, stl.scale > 0.0, "more than 0")?;
+            Some(WallShape::Cylinder(stated)) => cylinder(rules, &format!("{table}.cylinder"), stated)?,
+            Some(WallShape::Sphere(sphere)) => {
+                rules.vector(&format!("{table}.sphere.centre"), &sphere.centre)?;
+                rules.positive(&format!("{table}.sphere.radius"), sphere.radius)?;
             }
+            Some(WallShape::Stl(file)) => triangles(rules, &format!("{table}.stl"), file)?,
+            Some(WallShape::Obj(file)) => triangles(rules, &format!("{table}.obj"), file)?,
             Some(WallShape::Mesh(mesh)) => {
                 let key = format!("{table}.mesh.boundary");
                 let Some(fluid_mesh) = document.fluid.as_ref().and_then(|fluid| fluid.mesh.as_ref()) else {
@@ -35,7 +36,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
                         &format!("{table}.mesh"),
                         "there is no [fluid.mesh]",
                         "",
-                        "use plane or stl",
+                        "use another shape",
                     );
                 };
                 if mesh.boundary.is_empty() {
@@ -56,13 +57,41 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
         }
         rules.optional_vector(&format!("{table}.torque-about"), wall.torque_about.as_ref())?;
         if let Some(stated) = &wall.motion {
-            motion(document, rules, &table, wall, stated)?;
+            motion(rules, &format!("{table}.motion"), stated)?;
         }
+        if let Some(stated) = &wall.servo {
+            servo(rules, &format!("{table}.servo"), stated)?;
+        }
+        moves(document, rules, &table, wall)?;
     }
     Ok(())
 }
 
-fn direction(rules: &Rules, key: &str, found: &[f64], allowed: &str) -> Result<(), CaseError> {
+fn cylinder(rules: &Rules, table: &str, cylinder: &Cylinder) -> Result<(), CaseError> {
+    let key = |key: &str| format!("{table}.{key}");
+    if rules.dimension == Dimension::Two {
+        return rules.refuse(table, "a cylinder is no wall in 2D", "", "use sphere: in 2D it is a circle");
+    }
+    rules.vector(&key("point"), &cylinder.point)?;
+    direction(rules, &key("axis"), &cylinder.axis, "any direction")?;
+    rules.positive(&key("radius"), cylinder.radius)?;
+    if cylinder.length.is_some() {
+        rules.no_effect(&key("grains"), "with length: the shell is felt from both sides")?;
+    } else {
+        rules.required(&key("grains"), "state \"inside\" or \"outside\", or the length of a shell")?;
+        rules.no_effect(&key("closed"), "without length: there are no ends")?;
+    }
+    rules.optional_positive(&key("length"), cylinder.length)
+}
+
+fn triangles(rules: &Rules, table: &str, file: &SurfaceFile) -> Result<(), CaseError> {
+    if rules.dimension == Dimension::Two {
+        return rules.refuse(table, "triangles are no walls in 2D", "", "use plane, sphere or mesh");
+    }
+    rules.number(&format!("{table}.scale"), file.scale, file.scale > 0.0, "more than 0")
+}
+
+pub(super) fn direction(rules: &Rules, key: &str, found: &[f64], allowed: &str) -> Result<(), CaseError> {
     rules.components(key, found.len())?;
     if found.iter().all(|&component| component == 0.0) {
         return rules.refuse(key, "all components are 0", allowed, "");
@@ -70,21 +99,37 @@ fn direction(rules: &Rules, key: &str, found: &[f64], allowed: &str) -> Result<(
     Ok(())
 }
 
-fn motion(
-    document: &Document,
-    rules: &Rules,
-    table: &str,
-    wall: &Wall,
-    motion: &Motion,
-) -> Result<(), CaseError> {
-    let key = |key: &str| format!("{table}.motion{key}");
+/// Which walls may move, and what must then be stated.
+fn moves(document: &Document, rules: &Rules, table: &str, wall: &Wall) -> Result<(), CaseError> {
+    let given = [("motion", wall.motion.is_some()), ("servo", wall.servo.is_some())];
+    let Some((key, _)) = given.iter().find(|(_, given)| *given) else { return Ok(()) };
     if wall.mesh.is_some() {
         let found = "this wall is the boundary of the fluid's mesh, which stays where it is";
-        return rules.refuse(&key(""), found, "motion of a plane or stl wall", "delete it");
+        return rules.refuse(&format!("{table}.{key}"), found, "motion of any other wall", "delete it");
     }
-    let Motion { translation, rotation, oscillation } = motion;
-    if translation.is_none() && rotation.is_none() && oscillation.is_none() {
-        let allowed = "one or more of translation, rotation, oscillation";
+    // Around a wall that moves, its box at the start says nothing.
+    let has_ends = wall.plane.is_none() && wall.cylinder.as_ref().is_none_or(|c| c.length.is_some());
+    if has_ends && document.grains.as_ref().is_some_and(|grains| grains.domain.is_none()) {
+        return rules.required(
+            "grains.domain",
+            format_args!("the wall \"{}\" moves: state where grains may be", wall.name),
+        );
+    }
+    Ok(())
+}
+
+fn servo(rules: &Rules, table: &str, servo: &Servo) -> Result<(), CaseError> {
+    direction(rules, &format!("{table}.direction"), &servo.direction, "any direction")?;
+    rules.positive(&format!("{table}.force"), servo.force)?;
+    rules.positive(&format!("{table}.mass"), servo.mass)?;
+    rules.positive(&format!("{table}.largest-speed"), servo.largest_speed)
+}
+
+fn motion(rules: &Rules, table: &str, motion: &Motion) -> Result<(), CaseError> {
+    let key = |key: &str| format!("{table}{key}");
+    let Motion { translation, rotation, oscillation, table: over_time } = motion;
+    if translation.is_none() && rotation.is_none() && oscillation.is_none() && over_time.is_none() {
+        let allowed = "one or more of translation, rotation, oscillation, table";
         return rules.refuse(&key(""), "none of these keys is given", allowed, "");
     }
     rules.optional_vector(&key(".translation"), translation.as_ref())?;
@@ -103,19 +148,15 @@ fn motion(
         rules.positive(&key(".oscillation.amplitude"), oscillation.amplitude)?;
         rules.positive(&key(".oscillation.frequency"), oscillation.frequency)?;
     }
-    // Around a wall that moves, the box of its facets at the start says nothing.
-    if wall.stl.is_some() && document.grains.as_ref().is_some_and(|grains| grains.domain.is_none()) {
-        return rules.required(
-            "grains.domain",
-            format_args!("the wall \"{}\" moves: state where grains may be", wall.name),
-        );
+    if let Some(over_time) = over_time {
+        motion_table::check(rules, &key(".table"), over_time, rotation.is_some())?;
     }
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::document::fixture::{CHANNEL, DRY, SETTLING, assert_refusals};
+    use crate::document::fixture::{CHANNEL, DRY, SETTLING, assert_refusals, document};
 
     const PLANE: &str = r#"plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 1] }"#;
 
@@ -132,7 +173,7 @@ mod tests {
                 (
                     PLANE,
                     "",
-                    "case.toml:22: wall[0]: none of these keys is given; allowed: exactly one of plane, stl, mesh",
+                    "case.toml:22: wall[0]: none of these keys is given; allowed: exactly one of plane, cylinder, sphere, stl, obj, mesh",
                 ),
                 (
                     "normal = [0, 0, 1]",
@@ -173,12 +214,12 @@ mod tests {
                 (
                     plane,
                     "stl = { path = \"x.stl\" }",
-                    "case.toml:35: wall[0].stl: triangles are no walls in 2D; use plane or mesh",
+                    "case.toml:35: wall[0].stl: triangles are no walls in 2D; use plane, sphere or mesh",
                 ),
                 (
                     plane,
                     "mesh = { boundary = [\"wall\"] }",
-                    "case.toml:35: wall[0].mesh: there is no [fluid.mesh]; use plane or stl",
+                    "case.toml:35: wall[0].mesh: there is no [fluid.mesh]; use another shape",
                 ),
             ],
         );
@@ -193,16 +234,106 @@ mod tests {
     }
 
     #[test]
+    fn a_servo_pushes_something_of_mass() {
+        let pushed = |force: &str, mass: &str, direction: &str| {
+            format!(
+                "{PLANE}\nservo = {{ direction = {direction}, force = \"{force}\", mass = \"{mass}\", largest-speed = \"1 m/s\" }}"
+            )
+        };
+        let rows = [
+            (
+                pushed("0 N", "1 kg", "[0, 0, 1]"),
+                "case.toml:26: wall[0].servo.force: found 0 N; allowed: more than 0 N",
+            ),
+            (
+                pushed("1 N", "0 g", "[0, 0, 1]"),
+                "case.toml:26: wall[0].servo.mass: found 0 kg; allowed: more than 0 kg",
+            ),
+            (
+                pushed("1 N", "1 g", "[0, 0, 0]"),
+                "case.toml:26: wall[0].servo.direction: all components are 0; allowed: any direction",
+            ),
+            (
+                pushed("1 N", "1 g", "[0, 0, 1]").replace(PLANE, "mesh = { boundary = [\"z-min\"] }"),
+                "case.toml:26: wall[0].servo: this wall is the boundary of the fluid's mesh, which stays where it is; allowed: motion of any other wall; delete it",
+            ),
+        ];
+        for (to, message) in &rows {
+            assert_refusals(SETTLING, &[(PLANE, to, message)]);
+        }
+        document(&SETTLING.replace(PLANE, &pushed("1 N", "1 g", "[0, 0, -1]")));
+    }
+
+    #[test]
+    fn a_round_wall_has_a_side_or_ends() {
+        let round = r#"point = ["0 m", "0 m", "0 m"], axis = [0, 0, 1], radius = "1 m""#;
+        let cylinder = |rest: &str| format!("cylinder = {{ {round}{rest} }}");
+        let sphere = |radius: &str, side: &str| {
+            format!(
+                r#"sphere = {{ centre = ["0 m", "0 m", "0 m"], radius = "{radius}", grains = "{side}" }}"#
+            )
+        };
+        let rows = [
+            (
+                cylinder(""),
+                "case.toml:25: wall[0].cylinder.grains: missing; state \"inside\" or \"outside\", or the length of a shell",
+            ),
+            (
+                cylinder(", grains = \"inside\", length = \"1 m\""),
+                "case.toml:25: wall[0].cylinder.grains: has no effect with length: the shell is felt from both sides; delete it",
+            ),
+            (
+                cylinder(", grains = \"inside\", closed = true"),
+                "case.toml:25: wall[0].cylinder.closed: has no effect without length: there are no ends; delete it",
+            ),
+            (
+                cylinder(", length = \"0 m\""),
+                "case.toml:25: wall[0].cylinder.length: found 0 m; allowed: more than 0 m",
+            ),
+            (
+                cylinder(", length = \"1 m\"").replace("[0, 0, 1]", "[0, 0, 0]"),
+                "case.toml:25: wall[0].cylinder.axis: all components are 0; allowed: any direction",
+            ),
+            (
+                sphere("1 m", "within"),
+                "case.toml:25: wall[0].sphere.grains: unknown side \"within\"; allowed: inside, outside",
+            ),
+            (
+                sphere("0 m", "inside"),
+                "case.toml:25: wall[0].sphere.radius: found 0 m; allowed: more than 0 m",
+            ),
+        ];
+        for (to, message) in &rows {
+            assert_refusals(SETTLING, &[(PLANE, to, message)]);
+        }
+        for sound in [
+            cylinder(", grains = \"outside\""),
+            cylinder(", length = \"1 m\", closed = true"),
+            sphere("1 m", "inside"),
+        ] {
+            document(&SETTLING.replace(PLANE, &sound));
+        }
+        assert_refusals(
+            DRY,
+            &[(
+                r#"plane = { point = ["0 m", "0 m"], normal = [0, 2.0] }"#,
+                &cylinder(", grains = \"inside\""),
+                "case.toml:35: wall[0].cylinder: a cylinder is no wall in 2D; use sphere: in 2D it is a circle",
+            )],
+        );
+    }
+
+    #[test]
     fn a_motion_is_stated_whole_and_only_of_walls_that_can_move() {
         let moving = |motion: &str| format!("{PLANE}\nmotion = {motion}");
         let cases: Vec<(String, &str)> = [
             (
                 "mesh = { boundary = [\"z-min\"] }\nmotion = { translation = [\"0 m/s\", \"0 m/s\", \"1 m/s\"] }".to_string(),
-                "case.toml:26: wall[0].motion: this wall is the boundary of the fluid's mesh, which stays where it is; allowed: motion of a plane or stl wall; delete it",
+                "case.toml:26: wall[0].motion: this wall is the boundary of the fluid's mesh, which stays where it is; allowed: motion of any other wall; delete it",
             ),
             (
                 moving("{}"),
-                "case.toml:26: wall[0].motion: none of these keys is given; allowed: one or more of translation, rotation, oscillation",
+                "case.toml:26: wall[0].motion: none of these keys is given; allowed: one or more of translation, rotation, oscillation, table",
             ),
             (
                 moving("{ translation = [\"1 m/s\"] }"),

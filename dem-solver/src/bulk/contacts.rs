@@ -1,0 +1,169 @@
+//! All contacts of an instant, with the forces they bear at rest.
+
+use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal, NormalLaw};
+use crate::contact::tangential::{Coulomb, LiggghtsHistory, Spring, Tangential};
+use crate::contact::{COINCIDENT, Coefficients, Touch, pressed_surfaces, touch_force};
+use crate::engine::{Chunk, Periods, Planes, inherited};
+use crate::lanes::Vec3;
+use crate::scene::Scene;
+use crate::vector::{Spin, embed, lane, unlane};
+use crate::wall::Poses;
+use crate::world::World;
+
+/// A grain that can move and what it touches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Row of the grain.
+    pub grain: usize,
+    /// Row of the other grain, if that can move too; nothing if it is a wall or a frozen grain.
+    pub other: Option<usize>,
+    /// Unit normal n, from the grain to the other body.
+    pub normal: Spin,
+    /// Force F on the grain \[N\].
+    pub force: Spin,
+    /// b \[m\]: to the centre of the other grain, or to the point where the force of a wall or frozen grain acts.
+    pub branch: Spin,
+}
+
+/// The contacts of the world in the order of the lists, with the force that the laws of the scene give them were all
+/// grains and walls at rest where they are: that of the normal spring and of cohesion, and what the tangential spring
+/// holds within Coulomb's limit; no dashpot. Bonds are no contacts.
+pub fn contacts_at_rest<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Vec<Contact> {
+    match scene.normal_law {
+        NormalLaw::Hooke(_) => by_law::<D, Hooke, Coulomb>(scene, world),
+        NormalLaw::Hertz(_) => by_law::<D, Hertz, Coulomb>(scene, world),
+        NormalLaw::LiggghtsHooke(_) => by_law::<D, LiggghtsHooke, LiggghtsHistory>(scene, world),
+        NormalLaw::LiggghtsHertz(_) => by_law::<D, LiggghtsHertz, LiggghtsHistory>(scene, world),
+        NormalLaw::None => vec![],
+    }
+}
+
+fn by_law<const D: usize, N: Normal<D>, T: Tangential>(scene: &Scene<D>, world: &World<D>) -> Vec<Contact> {
+    let (walls, planes) = (world.wall_poses(scene), Planes::of(scene));
+    let periods = Periods::new(&scene.domain);
+    let mut found = Vec::new();
+    for chunk in &world.contacts.chunks {
+        between_grains::<D, N, T>(scene, world, &periods, chunk, &mut found);
+        on_planes::<D, N, T>(scene, world, &planes, chunk, &mut found);
+        on_surfaces::<D, N, T>(scene, world, &walls, chunk, &mut found);
+    }
+    found
+}
+
+fn between_grains<const D: usize, N: Normal<D>, T: Tangential>(
+    scene: &Scene<D>,
+    world: &World<D>,
+    periods: &Periods,
+    chunk: &Chunk,
+    found: &mut Vec<Contact>,
+) {
+    let grains = &world.grains;
+    for (k, (i, j, coefficients)) in chunk.inner.pairs(world.contacts.alike.as_ref()).enumerate() {
+        let (one, other) = (&grains.place[i], &grains.place[j]);
+        let separation = unlane(periods.nearest(lane(&(other.centre - one.centre))));
+        let (distance, reach) = (separation.norm(), one.radius + other.radius);
+        if distance >= reach || distance <= COINCIDENT * reach {
+            continue;
+        }
+        let (normal, overlap) = (separation / distance, reach - distance);
+        let attraction = scene.extras.cohesion.map_or(0.0, |law| {
+            let pair = scene.materials.pair(grains.material[i], grains.material[j]);
+            pair.cohesion_energy_density * law.area_of_spheres(one.radius, other.radius, distance)
+        });
+        let force =
+            at_rest::<D, N, T>(&coefficients, (normal, overlap), attraction, chunk.inner.springs.get(k));
+        let share = one.radius / reach;
+        found.extend(match (grains.motion[i].is_frozen(), grains.motion[j].is_frozen()) {
+            (false, false) => Some(Contact { grain: i, other: Some(j), normal, force, branch: separation }),
+            (false, true) => {
+                let branch = normal * N::arm(one.radius, overlap, share);
+                Some(Contact { grain: i, other: None, normal, force, branch })
+            }
+            (true, false) => {
+                let branch = -normal * N::arm(other.radius, overlap, 1.0 - share);
+                Some(Contact { grain: j, other: None, normal: -normal, force: -force, branch })
+            }
+            (true, true) => None,
+        });
+    }
+}
+
+fn on_planes<const D: usize, N: Normal<D>, T: Tangential>(
+    scene: &Scene<D>,
+    world: &World<D>,
+    planes: &Planes,
+    chunk: &Chunk,
+    found: &mut Vec<Contact>,
+) {
+    for (k, (grain, plane, coefficients)) in chunk.planes.contacts().enumerate() {
+        let overlap = planes.overlap(plane, &world.grains.place[grain]);
+        if overlap > 0.0 {
+            let normal = planes.normal(plane as u32);
+            let spring = chunk.planes.springs.get(k);
+            let wall = planes.wall[plane];
+            found.push(on_wall::<D, N, T>(
+                scene,
+                world,
+                (grain, wall),
+                &coefficients,
+                (normal, overlap),
+                spring,
+            ));
+        }
+    }
+}
+
+fn on_surfaces<const D: usize, N: Normal<D>, T: Tangential>(
+    scene: &Scene<D>,
+    world: &World<D>,
+    walls: &Poses<D>,
+    chunk: &Chunk,
+    found: &mut Vec<Contact>,
+) {
+    let mut pressed = Vec::new();
+    for candidates in chunk.candidates.chunk_by(|a, b| a.grain == b.grain) {
+        let row = candidates[0].grain;
+        let place = &world.grains.place[row as usize];
+        pressed_surfaces(scene, place, candidates, walls, &mut pressed);
+        let begin = chunk.wall_contacts.partition_point(|contact| contact.grain < row);
+        let end = chunk.wall_contacts.partition_point(|contact| contact.grain <= row);
+        let of_grain = &chunk.wall_contacts[begin..end];
+        for surface in pressed.iter().filter(|surface| surface.nearest.normal.norm_squared() > 0.0) {
+            let normal = embed(&surface.nearest.normal);
+            let overlap = place.radius - surface.nearest.distance;
+            let wall = scene.walls.surfaces[surface.candidate.surface as usize].wall;
+            let spring = inherited(of_grain, wall, &normal);
+            let (pair, coefficients) = ((row as usize, wall), &surface.candidate.coefficients);
+            found.push(on_wall::<D, N, T>(scene, world, pair, coefficients, (normal, overlap), spring));
+        }
+    }
+}
+
+fn on_wall<const D: usize, N: Normal<D>, T: Tangential>(
+    scene: &Scene<D>,
+    world: &World<D>,
+    (grain, wall): (usize, u32),
+    coefficients: &Coefficients,
+    (normal, overlap): (Spin, f64),
+    spring: Spring,
+) -> Contact {
+    let radius = world.grains.place[grain].radius;
+    let attraction = scene.extras.cohesion.map_or(0.0, |law| {
+        let materials = (world.grains.material[grain], scene.walls.materials[wall as usize]);
+        let pair = scene.materials.pair(materials.0, materials.1);
+        pair.cohesion_energy_density * law.area_on_wall(radius, radius - overlap)
+    });
+    let force = at_rest::<D, N, T>(coefficients, (normal, overlap), attraction, spring);
+    Contact { grain, other: None, normal, force, branch: normal * N::arm(radius, overlap, 0.0) }
+}
+
+/// The force of the laws at no velocity, after no time.
+fn at_rest<const D: usize, N: Normal<D>, T: Tangential>(
+    coefficients: &Coefficients,
+    (normal, overlap): (Spin, f64),
+    attraction: f64,
+    mut spring: Spring,
+) -> Spin {
+    let touch = Touch { normal: lane(&normal), overlap, velocity: Vec3::zero() };
+    unlane(touch_force::<D, N, T, f64>(coefficients, &touch, attraction, &mut spring, 0.0).force)
+}

@@ -1,0 +1,102 @@
+//! All contact forces of a step, chunk by chunk.
+
+use rayon::prelude::*;
+
+use super::chunk::Chunk;
+use super::kernels::Kernels;
+use super::near_planes::Planes;
+use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal};
+use crate::contact::tangential::{Coulomb, Frictionless, LiggghtsHistory, Tangential};
+use crate::contact::{NormalLaw, wall_forces};
+use crate::fault::Fault;
+use crate::grains::{AsRows, Grains};
+use crate::lanes::Row8;
+use crate::scene::Scene;
+use crate::vector::{Spin, restrict};
+use crate::wall::{Poses, WallImpulse};
+use crate::workspace::{ChunkScratch, Workspace};
+use crate::world::World;
+
+/// Contact forces at the present places into the chunks' loads; springs move by `step` \[s\].
+///
+/// Each chunk adds up its own rows and, behind them, those of later chunks that its pairs load; the
+/// integration joins the parts in the order of chunks.
+pub fn forces<const D: usize>(
+    scene: &Scene<D>,
+    world: &mut World<D>,
+    workspace: &mut Workspace<D>,
+    step: f64,
+) {
+    let World { grains, contacts, .. } = world;
+    let Workspace { backend, planes, periods, walls, chunks: scratches, loads, .. } = workspace;
+    let Some(law) = scene.normal_law.in_lanes::<D>() else { return };
+    let kernels = Kernels {
+        law,
+        rubs: scene.materials.rub(),
+        extras: scene.extras,
+        backend: *backend,
+        places: grains.place.as_rows(),
+        motions: grains.motion.as_rows(),
+        planes: &planes.rows,
+        periods,
+        alike: contacts.alike,
+        step,
+    };
+    contacts.chunks.par_iter_mut().zip(loads).zip(scratches).for_each(|((chunk, loads), scratch)| {
+        let slots = &mut loads.slots;
+        on_walls_one_by_one(scene, grains, walls, chunk, (slots, scratch), step);
+        kernels.on_planes(chunk, loads);
+        book(&mut loads.planes, planes, step, scratch);
+        if let Some((i, j)) = kernels.between_grains(chunk, &mut loads.slots) {
+            let (one, other) = (grains.id[i as usize], grains.id[j as usize]);
+            scratch.fault.get_or_insert(Fault::Coincident { one, other });
+        }
+    });
+}
+
+/// Books what planes received in a step \[s\], and leaves it empty for the next.
+fn book<const D: usize>(received: &mut [Row8], planes: &Planes, step: f64, scratch: &mut ChunkScratch<D>) {
+    for (row, &wall) in received.iter_mut().zip(&planes.wall) {
+        let [fx, fy, fz, _, tx, ty, tz, _] = std::mem::take(row).0;
+        let linear = restrict(&Spin::new(fx, fy, fz)) * step;
+        let angular = Spin::new(tx, ty, tz) * step;
+        scratch.wall_impulse[wall as usize] += WallImpulse { linear, angular };
+    }
+}
+
+fn on_walls_one_by_one<const D: usize>(
+    scene: &Scene<D>,
+    grains: &Grains,
+    walls: &Poses<D>,
+    chunk: &mut Chunk,
+    (loads, scratch): (&mut [Row8], &mut ChunkScratch<D>),
+    step: f64,
+) {
+    let out = (loads, scratch);
+    match scene.normal_law {
+        NormalLaw::None => {}
+        NormalLaw::Hooke(_) => by_law::<D, Hooke, Coulomb>(scene, grains, walls, chunk, out, step),
+        NormalLaw::Hertz(_) => by_law::<D, Hertz, Coulomb>(scene, grains, walls, chunk, out, step),
+        NormalLaw::LiggghtsHooke(_) => {
+            by_law::<D, LiggghtsHooke, LiggghtsHistory>(scene, grains, walls, chunk, out, step);
+        }
+        NormalLaw::LiggghtsHertz(_) => {
+            by_law::<D, LiggghtsHertz, LiggghtsHistory>(scene, grains, walls, chunk, out, step);
+        }
+    }
+}
+
+fn by_law<const D: usize, N: Normal<D>, T: Tangential>(
+    scene: &Scene<D>,
+    grains: &Grains,
+    walls: &Poses<D>,
+    chunk: &mut Chunk,
+    out: (&mut [Row8], &mut ChunkScratch<D>),
+    step: f64,
+) {
+    if scene.materials.rub() {
+        wall_forces::<D, N, T>(scene, grains, walls, chunk, out, step);
+    } else {
+        wall_forces::<D, N, Frictionless>(scene, grains, walls, chunk, out, step);
+    }
+}

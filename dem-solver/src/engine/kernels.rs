@@ -1,0 +1,176 @@
+//! The laws in lanes: which kernel a scene runs.
+//!
+//! Nothing here depends on the dimension, so that kernels are compiled once, in this crate: in 2D the loads of
+//! contacts grow linearly, whatever their constants.
+
+use std::marker::PhantomData;
+
+use super::block::{ConstantsBlock, PairBlock, PlaneBlock, SpringBlock};
+use super::chunk::{Chunk, InnerPairs};
+use super::constants::{Alike, PairConstants};
+use super::extras::{ChosenExtras, ExtraForces, NoExtras};
+use super::loads::ChunkLoads;
+use super::near_planes::NearPlanes;
+use super::pairs::PairForces;
+use super::periods::Periods;
+use super::planes::PlaneForces;
+use super::springs::Springs;
+use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal};
+use crate::contact::tangential::{Coulomb, Frictionless, LiggghtsHistory, Tangential};
+use crate::contact::{Extras, NormalLaw};
+use crate::lanes::{Backend, Row4, Row8};
+
+/// Normal laws that are kernels of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LawInLanes {
+    /// [`Hooke`], and [`Hertz`] in 2D.
+    Hooke,
+    /// [`Hertz`] of spheres.
+    Hertz,
+    /// [`LiggghtsHooke`].
+    LiggghtsHooke,
+    /// [`LiggghtsHertz`].
+    LiggghtsHertz,
+}
+
+impl NormalLaw {
+    /// The kernel of this law; nothing where nothing touches.
+    pub fn in_lanes<const D: usize>(&self) -> Option<LawInLanes> {
+        match self {
+            Self::Hertz(_) if D == 3 => Some(LawInLanes::Hertz),
+            Self::Hooke(_) | Self::Hertz(_) => Some(LawInLanes::Hooke),
+            Self::LiggghtsHooke(_) => Some(LawInLanes::LiggghtsHooke),
+            Self::LiggghtsHertz(_) => Some(LawInLanes::LiggghtsHertz),
+            Self::None => None,
+        }
+    }
+}
+
+/// What the kernels of a step read.
+pub struct Kernels<'a> {
+    /// The normal law.
+    pub law: LawInLanes,
+    /// Whether any pair has friction.
+    pub rubs: bool,
+    /// The laws besides normal and tangential force.
+    pub extras: Extras,
+    /// The lanes.
+    pub backend: Backend,
+    /// Places of all grains.
+    pub places: &'a [Row4],
+    /// Motions of all grains.
+    pub motions: &'a [Row8],
+    /// The planes, as [`super::Planes::rows`].
+    pub planes: &'a [Row4],
+    /// Periodic axes.
+    pub periods: &'a Periods,
+    /// What all pairs share, if they do.
+    pub alike: Option<Alike>,
+    /// Time since springs were last moved \[s\].
+    pub step: f64,
+}
+
+/// Calls a method with the law's types.
+macro_rules! by_law {
+    ($self:ident.$method:ident($($argument:expr),*)) => {
+        match ($self.law, $self.rubs) {
+            (LawInLanes::Hooke, true) => $self.$method::<Hooke, Coulomb>($($argument),*),
+            (LawInLanes::Hooke, false) => $self.$method::<Hooke, Frictionless>($($argument),*),
+            (LawInLanes::Hertz, true) => $self.$method::<Hertz, Coulomb>($($argument),*),
+            (LawInLanes::Hertz, false) => $self.$method::<Hertz, Frictionless>($($argument),*),
+            (LawInLanes::LiggghtsHooke, true) => $self.$method::<LiggghtsHooke, LiggghtsHistory>($($argument),*),
+            (LawInLanes::LiggghtsHooke, false) => $self.$method::<LiggghtsHooke, Frictionless>($($argument),*),
+            (LawInLanes::LiggghtsHertz, true) => $self.$method::<LiggghtsHertz, LiggghtsHistory>($($argument),*),
+            (LawInLanes::LiggghtsHertz, false) => $self.$method::<LiggghtsHertz, Frictionless>($($argument),*),
+        }
+    };
+}
+
+impl Kernels<'_> {
+    /// Adds the forces of a chunk's pairs to its loads; finds two grains whose centres coincide, if any do.
+    pub fn between_grains(&self, chunk: &mut Chunk, loads: &mut [Row8]) -> Option<(u32, u32)> {
+        by_law!(self.pairs_by_law(chunk, loads))
+    }
+
+    /// Adds the forces of planes to a chunk's loads.
+    pub fn on_planes(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) {
+        if chunk.planes.count > 0 {
+            by_law!(self.planes_by_law(chunk, loads));
+        }
+    }
+
+    fn pairs_by_law<N: Normal<3>, T: Tangential>(
+        &self,
+        chunk: &mut Chunk,
+        loads: &mut [Row8],
+    ) -> Option<(u32, u32)> {
+        let InnerPairs { blocks, springs, constants, extras, .. } = &mut chunk.inner;
+        let (constants, laws) = (constants.as_slice(), self.extras);
+        let Springs { forces, torques } = springs;
+        match self.alike {
+            Some(alike) => self.pairs::<N, T, _, _>(blocks, forces, alike, NoExtras, loads),
+            None if laws.any() => {
+                let extras = ChosenExtras { laws, constants: extras, torques };
+                self.pairs::<N, T, _, _>(blocks, forces, constants, extras, loads)
+            }
+            None => self.pairs::<N, T, _, _>(blocks, forces, constants, NoExtras, loads),
+        }
+    }
+
+    fn pairs<N: Normal<3>, T: Tangential, C: PairConstants, X: ExtraForces>(
+        &self,
+        blocks: &[PairBlock],
+        springs: &mut [SpringBlock],
+        constants: C,
+        extras: X,
+        loads: &mut [Row8],
+    ) -> Option<(u32, u32)> {
+        self.backend.run(PairForces::<3, N, T, C, X> {
+            places: self.places,
+            motions: self.motions,
+            blocks,
+            springs,
+            constants,
+            extras,
+            loads,
+            periods: self.periods,
+            step: self.step,
+            laws: PhantomData,
+        })
+    }
+
+    fn planes_by_law<N: Normal<3>, T: Tangential>(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) {
+        let NearPlanes { blocks, springs, constants, extras, .. } = &mut chunk.planes;
+        let Springs { forces, torques } = springs;
+        let laws = self.extras;
+        if laws.any() {
+            let extras = ChosenExtras { laws, constants: extras, torques };
+            self.planes::<N, T, _>(blocks, forces, constants, extras, loads);
+        } else {
+            self.planes::<N, T, _>(blocks, forces, constants, NoExtras, loads);
+        }
+    }
+
+    fn planes<N: Normal<3>, T: Tangential, X: ExtraForces>(
+        &self,
+        blocks: &[PlaneBlock],
+        springs: &mut [SpringBlock],
+        constants: &[ConstantsBlock],
+        extras: X,
+        loads: &mut ChunkLoads,
+    ) {
+        self.backend.run(PlaneForces::<3, N, T, X> {
+            places: self.places,
+            motions: self.motions,
+            planes: self.planes,
+            blocks,
+            springs,
+            constants,
+            extras,
+            loads: &mut loads.slots,
+            reactions: &mut loads.planes,
+            step: self.step,
+            laws: PhantomData,
+        });
+    }
+}

@@ -1,0 +1,156 @@
+//! Forces between grains, block by block.
+
+use std::marker::PhantomData;
+
+use super::block::{PairBlock, SpringBlock, WIDTH};
+use super::constants::PairConstants;
+use super::extras::ExtraForces;
+use super::periods::Periods;
+use crate::contact::normal::Normal;
+use crate::contact::rolling::Rolling;
+use crate::contact::tangential::{Spring, Tangential};
+use crate::contact::{COINCIDENT, Response, Touch, touch_force};
+use crate::lanes::{Kernel, Row4, Row8, RowLanes, Vec3};
+
+/// Adds the forces of a chunk's pairs to its loads; finds two grains whose centres coincide, if any do.
+pub struct PairForces<'a, const D: usize, N, T, C, X> {
+    /// Places of all grains.
+    pub places: &'a [Row4],
+    /// Motions of all grains.
+    pub motions: &'a [Row8],
+    /// The chunk's pairs.
+    pub blocks: &'a [PairBlock],
+    /// Their springs; empty without friction.
+    pub springs: &'a mut [SpringBlock],
+    /// Their radii and constants.
+    pub constants: C,
+    /// Their laws besides normal and tangential force.
+    pub extras: X,
+    /// Loads by slot.
+    pub loads: &'a mut [Row8],
+    /// Periodic axes.
+    pub periods: &'a Periods,
+    /// Time since springs were last moved \[s\].
+    pub step: f64,
+    /// The laws.
+    pub laws: PhantomData<(N, T)>,
+}
+
+impl<const D: usize, N, T, C, X> Kernel for PairForces<'_, D, N, T, C, X>
+where
+    N: Normal<D>,
+    T: Tangential,
+    C: PairConstants,
+    X: ExtraForces,
+{
+    type Output = Option<(u32, u32)>;
+
+    #[inline(always)]
+    fn run<L: RowLanes>(mut self) -> Option<(u32, u32)> {
+        let mut coincident = None;
+        for block in 0..self.blocks.len() {
+            for lane in (0..WIDTH).step_by(L::WIDTH) {
+                // SAFETY: the rows of a block are rows of the grains, its slots are slots of the chunk's loads:
+                // both are made by the refresh of the inner list.
+                let found = unsafe { self.lanes::<L>(block, lane) };
+                coincident = coincident.or(found);
+            }
+        }
+        coincident
+    }
+}
+
+impl<const D: usize, N, T, C, X> PairForces<'_, D, N, T, C, X>
+where
+    N: Normal<D>,
+    T: Tangential,
+    C: PairConstants,
+    X: ExtraForces,
+{
+    /// The pairs from one lane of a block on.
+    #[inline(always)]
+    unsafe fn lanes<L: RowLanes>(&mut self, block: usize, lane: usize) -> Option<(u32, u32)> {
+        let PairBlock { i, j, slot_i, slot_j } = &self.blocks[block];
+        let (i, j, slot_i, slot_j) = (&i[lane..], &j[lane..], &slot_i[lane..], &slot_j[lane..]);
+        let separation = self.periods.nearest(unsafe { L::difference4(self.places, i, j) });
+        let (radius_i, radius_j) = self.constants.radii::<L>(block, lane);
+        let reach = radius_i + radius_j;
+        let squared = separation.norm_squared();
+        let nearest = reach * L::splat(COINCIDENT);
+        let distinct = (nearest * nearest).less(squared);
+        let touching = L::both(squared.less(reach * reach), distinct);
+        let coincident = if L::bits(distinct).count_ones() as usize == L::WIDTH {
+            None
+        } else {
+            first_coincident(L::bits(distinct), &i[..L::WIDTH], &j[..L::WIDTH])
+        };
+        if !L::any(touching) {
+            if T::REMEMBERS {
+                self.springs[block].relax::<L>(lane);
+            }
+            self.extras.relax::<L>((block, lane));
+            return coincident;
+        }
+        let distance = squared.sqrt();
+        let normal = separation * (L::splat(1.0) / distance);
+        let overlap = (reach - distance).only(touching);
+        let share = radius_i / reach;
+        let arm_i = N::arm(radius_i, overlap, share);
+        let arm_j = N::arm(radius_j, overlap, L::splat(1.0) - share);
+        let [velocity, spin] = unsafe { L::difference_and_sum8(self.motions, i, j) };
+        // a_i ω_i + a_j ω_j = (a_i + a_j)/2 (ω_i + ω_j) + (a_i - a_j)/2 (ω_i - ω_j)
+        let turning = if !T::REMEMBERS {
+            Vec3::zero()
+        } else if C::ALIKE {
+            spin * arm_i
+        } else {
+            let unequal = unsafe { L::difference_of_second_half(self.motions, i, j) };
+            let half = L::splat(0.5);
+            spin * ((arm_i + arm_j) * half) + unequal * ((arm_i - arm_j) * half)
+        };
+        let touch = Touch { normal, overlap, velocity: velocity + turning.cross(normal) };
+        let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
+        let coefficients = self.constants.coefficients::<L>(block, lane);
+        let (at, step) = ((block, lane), L::splat(self.step));
+        let attraction = self.extras.between_spheres(at, (radius_i, radius_j), distance);
+        let Response { force, pressing } =
+            touch_force::<D, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
+        let force = force.only(touching);
+        if T::REMEMBERS {
+            self.springs[block].store(lane, &spring.only(touching));
+        }
+        let moment = if T::REMEMBERS { normal.cross(force).only(touching) } else { Vec3::zero() };
+        let (mut torque_i, mut torque_j) = (moment * arm_i, moment * arm_j);
+        if X::ANY && T::REMEMBERS {
+            let growth = N::growth(overlap);
+            let rolling = Rolling {
+                normal,
+                spin: unsafe { L::difference_of_second_half(self.motions, i, j) },
+                elastic: coefficients.normal_stiffness * growth.stiffness * overlap,
+                pressing,
+                growth,
+                step,
+            };
+            let braking = self.extras.braking(at, &rolling, touching);
+            (torque_i, torque_j) = (torque_i - braking, torque_j + braking);
+        }
+        unsafe {
+            if C::ALIKE {
+                L::add_opposed8(self.loads, slot_i, slot_j, force, torque_i);
+            } else {
+                L::add_unequal8(self.loads, slot_i, slot_j, force, torque_i, torque_j);
+            }
+        }
+        coincident
+    }
+}
+
+/// Two distinct grains among the lanes that are not marked.
+#[cold]
+fn first_coincident(distinct: u32, i: &[u32], j: &[u32]) -> Option<(u32, u32)> {
+    i.iter()
+        .zip(j)
+        .enumerate()
+        .find(|(k, (i, j))| distinct & (1 << k) == 0 && i != j)
+        .map(|(_, (&i, &j))| (i, j))
+}
