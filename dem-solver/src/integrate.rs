@@ -129,10 +129,11 @@ impl<const D: usize> Inputs<'_, D> {
             Some(fluid) => self.advance_in_fluid(first, places, motions, loads, impulses, fluid),
         };
         scratch.frozen_impulse += restrict(&Spin::from(moved.held));
-        if self.is_off(&moved) {
-            let grains = places.iter().zip(motions.iter()).zip(&self.id[first..]);
-            let fault = grains.into_iter().find_map(|((place, motion), &id)| self.fault(id, place, motion));
-            scratch.fault = scratch.fault.or(fault);
+        if !moved.sum.is_finite() {
+            let finite =
+                |motion: &Motion| (motion.velocity.sum() + motion.angular_velocity.sum()).is_finite();
+            let row = motions.iter().position(|motion| !finite(motion)).unwrap_or(0);
+            scratch.fault.get_or_insert(Fault::NotFinite { grain: self.id[first + row] });
         }
         moved.fastest
     }
@@ -154,7 +155,7 @@ impl<const D: usize> Inputs<'_, D> {
             let before = if motion.is_frozen() { force * self.step } else { Spin::zeros() };
             (0..3).for_each(|axis| moved.held[axis] += before[axis]);
             self.kick((force, torque), row, (&hydro[row], &relaxations[row]), place, motion, impulse);
-            moved.see(place, motion);
+            moved.sum += motion.velocity.sum() + motion.angular_velocity.sum();
         }
         moved.fastest = self.backend.run(Speeds { motions: motions.as_rows(), frame: self.frame });
         moved
@@ -197,27 +198,20 @@ impl<const D: usize> Inputs<'_, D> {
         impulse.drag += restrict(&drag);
         impulse.other += restrict(&(others * step));
     }
+}
 
-    /// Whether some grain is not finite, or has left a domain that it must not leave.
-    fn is_off(&self, moved: &Moved) -> bool {
-        let inside = |corner: [f64; 3]| self.scene.domain.holds(&restrict(&Spin::from(corner)));
-        let left = moved.lowest[0] <= moved.highest[0]
-            && self.scene.escape == Escape::Stop
-            && !(inside(moved.lowest) && inside(moved.highest));
-        left || !moved.sum.is_finite()
-    }
-
-    #[cold]
-    fn fault(&self, grain: u64, place: &Place, motion: &Motion) -> Option<Fault> {
-        // A sum is finite only if every term is.
-        if !(motion.velocity.sum() + motion.angular_velocity.sum() + place.centre.sum()).is_finite() {
+/// The first grain that is nowhere, or has left a domain that it must not leave: looked for once a window.
+pub fn misplaced<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Option<Fault> {
+    let grains = &world.grains;
+    grains.place.iter().zip(&grains.id).find_map(|(place, &grain)| {
+        if !place.centre.sum().is_finite() {
             Some(Fault::NotFinite { grain })
-        } else if self.scene.escape == Escape::Stop && !self.scene.domain.holds(&place.at()) {
+        } else if scene.escape == Escape::Stop && !scene.domain.holds(&place.at()) {
             Some(Fault::Escaped { grain, at: place.centre.into() })
         } else {
             None
         }
-    }
+    })
 }
 
 /// Three components as they come from the coupler; those that the scene does not have are 0.

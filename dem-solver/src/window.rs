@@ -5,7 +5,7 @@ use interface::HydroRow;
 use crate::bonded::links;
 use crate::engine::bring_up_lists;
 use crate::error::DemError;
-use crate::integrate::drift;
+use crate::integrate::{drift, misplaced};
 use crate::ledger::Ledger;
 use crate::relaxation::Relaxation;
 use crate::scene::Scene;
@@ -51,6 +51,9 @@ pub fn window<const D: usize>(
         })
     })?;
     world.time += duration;
+    if let Some(fault) = misplaced(scene, world) {
+        return Err(DemError::Fault { fault, time: world.time });
+    }
     ledger.close(scene, world, workspace, hydro, duration);
     world.received.add(&ledger.wall_impulse);
     Ok(ledger)
