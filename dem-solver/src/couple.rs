@@ -91,9 +91,10 @@ impl<const D: usize> DemParticipant<D> {
     fn open_window(&mut self, window: Window) -> Result<Opening, DemError> {
         let turnover = turn_over(&self.scene, &mut self.world)?;
         self.window = window;
-        let count = self.substeps()?;
-        let (scene, world, workspace) = (&self.scene, &mut self.world, &mut self.workspace);
-        relist(scene, world, workspace, window.step / f64::from(count))?;
+        if self.world.contacts.has_expired() {
+            let step = window.step / f64::from(self.substeps()?);
+            relist(&self.scene, &mut self.world, &mut self.workspace, step)?;
+        }
         let grains_changed = self.coupled && (turnover.order_changed || !self.published);
         if grains_changed {
             self.publish_grains(0, window.time, turnover.order_changed)?;

@@ -22,11 +22,6 @@ impl Image {
     pub fn new<const D: usize>(periods: [i32; D]) -> Self {
         Self(periods.iter().rev().fold(0, |code, &period| 3 * code + (period + 1) as u32))
     }
-
-    /// The image seen from the other grain of the pair.
-    pub fn reversed<const D: usize>(self) -> Self {
-        Self(3_u32.pow(D as u32) - 1 - self.0)
-    }
 }
 
 impl<const D: usize> Domain<D> {
@@ -63,18 +58,6 @@ impl<const D: usize> Domain<D> {
         })
     }
 
-    /// The point brought back into the box along the periodic axes.
-    pub fn wrapped(&self, centre: &Vector<D>) -> Vector<D> {
-        Vector::from_fn(|axis, _| {
-            let x = centre[axis];
-            if !self.periodic[axis] || (x >= self.lower[axis] && x < self.upper[axis]) {
-                return x;
-            }
-            let back = x - self.period(axis) * ((x - self.lower[axis]) / self.period(axis)).floor();
-            if back >= self.upper[axis] { self.lower[axis] } else { back.max(self.lower[axis]) }
-        })
-    }
-
     /// How far each of the 3^D images is, by code.
     pub fn shifts(&self) -> Vec<Vector<D>> {
         (0..3_usize.pow(D as u32))
@@ -98,16 +81,7 @@ mod tests {
         let shifts = domain.shifts();
         let image = Image::new([1, -1]);
         assert_eq!(shifts[image.0 as usize], Vector::from([1.0, -3.0]));
-        assert_eq!(shifts[image.reversed::<2>().0 as usize], Vector::from([-1.0, 3.0]));
+        assert_eq!(shifts[Image::new([-1, 1]).0 as usize], Vector::from([-1.0, 3.0]));
         assert_eq!(shifts[Image::new([0, 0]).0 as usize].norm(), 0.0);
-    }
-
-    #[test]
-    fn a_wrapped_point_is_inside_even_a_rounding_below_the_lower_side() {
-        let domain = Domain::new([0.0], [1.0]).periodic([true]);
-        for x in [-1e-300, -0.25, 1.0, 1.75, -7.5, 12.0] {
-            let back = domain.wrapped(&Vector::from([x]))[0];
-            assert!((0.0..1.0).contains(&back), "{x} wraps to {back}");
-        }
     }
 }

@@ -69,6 +69,9 @@ pub fn turn_over<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Resu
 
 /// Brings all centres back into the domain along its periodic axes.
 fn wrap<const D: usize>(scene: &Scene<D>, world: &mut World<D>) {
+    if !scene.domain.periodic.contains(&true) {
+        return;
+    }
     let periods = Periods::new(&scene.domain);
     for place in &mut world.grains.place {
         let before = place.centre;

@@ -59,7 +59,7 @@ pub fn window<const D: usize>(
     Ok(ledger)
 }
 
-/// Makes the lists anew if they expired between two windows, so that all who read them know the present contacts;
+/// Makes the lists anew that expired between two windows, so that all who read them know the present contacts;
 /// `step` \[s\] sizes their skins.
 ///
 /// # Errors
@@ -70,9 +70,6 @@ pub fn relist<const D: usize>(
     workspace: &mut Workspace<D>,
     step: f64,
 ) -> Result<(), DemError> {
-    if !world.contacts.has_expired() {
-        return Ok(());
-    }
     workspace.open(scene, world);
     workspace.links = links(scene, world)?;
     workspace.enter(scene, world, world.time);

@@ -88,16 +88,15 @@ impl<const D: usize> World<D> {
     }
 
     fn copy_from(&mut self, other: &Self) {
-        self.time = other.time;
-        self.grains.copy_from(&other.grains);
-        self.contacts.copy_from(&other.contacts);
-        self.bonds.copy_from(&other.bonds);
-        self.slides.clone_from(&other.slides);
-        self.received.copy_from(&other.received);
-        self.born = other.born;
-        self.removed = other.removed;
-        self.taken.clone_from(&other.taken);
-        self.feeds.clone_from(&other.feeds);
+        let Self { time, grains, contacts, bonds, slides, received, born, removed, taken, feeds } = other;
+        (self.time, self.born, self.removed) = (*time, *born, *removed);
+        self.grains.copy_from(grains);
+        self.contacts.copy_from(contacts);
+        self.bonds.copy_from(bonds);
+        self.slides.clone_from(slides);
+        self.received.copy_from(received);
+        self.taken.clone_from(taken);
+        self.feeds.clone_from(feeds);
     }
 }
 

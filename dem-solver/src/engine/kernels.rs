@@ -125,7 +125,7 @@ impl Kernels<'_> {
         extras: X,
         loads: &mut [Row8],
     ) -> Option<(u32, u32)> {
-        self.backend.run(PairForces::<3, N, T, C, X> {
+        self.backend.run(PairForces::<N, T, C, X> {
             places: self.places,
             motions: self.motions,
             blocks,
@@ -159,7 +159,7 @@ impl Kernels<'_> {
         extras: X,
         loads: &mut ChunkLoads,
     ) {
-        self.backend.run(PlaneForces::<3, N, T, X> {
+        self.backend.run(PlaneForces::<N, T, X> {
             places: self.places,
             motions: self.motions,
             planes: self.planes,

@@ -139,11 +139,11 @@ impl ContactList {
 
     /// Copies `other` into memory that is already here.
     pub fn copy_from(&mut self, other: &Self) {
-        self.chunks.resize_with(other.chunks.len(), Chunk::default);
-        for (mine, theirs) in self.chunks.iter_mut().zip(&other.chunks) {
+        let Self { chunks, alike, skins, spent, approach, walls_time, built_since_order, counters } = other;
+        self.chunks.resize_with(chunks.len(), Chunk::default);
+        for (mine, theirs) in self.chunks.iter_mut().zip(chunks) {
             mine.copy_from(theirs);
         }
-        let Self { alike, skins, spent, approach, walls_time, built_since_order, counters, .. } = other;
         (self.alike, self.skins, self.spent, self.approach) = (*alike, *skins, *spent, *approach);
         (self.walls_time, self.built_since_order) = (*walls_time, *built_since_order);
         self.counters = *counters;

@@ -13,7 +13,7 @@ use crate::contact::{COINCIDENT, Response, Touch, touch_force};
 use crate::lanes::{Kernel, Row4, Row8, RowLanes, Vec3};
 
 /// Adds the forces of a chunk's pairs to its loads; finds two grains whose centres coincide, if any do.
-pub struct PairForces<'a, const D: usize, N, T, C, X> {
+pub struct PairForces<'a, N, T, C, X> {
     /// Places of all grains.
     pub places: &'a [Row4],
     /// Motions of all grains.
@@ -36,9 +36,9 @@ pub struct PairForces<'a, const D: usize, N, T, C, X> {
     pub laws: PhantomData<(N, T)>,
 }
 
-impl<const D: usize, N, T, C, X> Kernel for PairForces<'_, D, N, T, C, X>
+impl<N, T, C, X> Kernel for PairForces<'_, N, T, C, X>
 where
-    N: Normal<D>,
+    N: Normal<3>,
     T: Tangential,
     C: PairConstants,
     X: ExtraForces,
@@ -60,9 +60,9 @@ where
     }
 }
 
-impl<const D: usize, N, T, C, X> PairForces<'_, D, N, T, C, X>
+impl<N, T, C, X> PairForces<'_, N, T, C, X>
 where
-    N: Normal<D>,
+    N: Normal<3>,
     T: Tangential,
     C: PairConstants,
     X: ExtraForces,
@@ -114,7 +114,7 @@ where
         let (at, step) = ((block, lane), L::splat(self.step));
         let attraction = self.extras.between_spheres(at, (radius_i, radius_j), distance);
         let Response { force, pressing } =
-            touch_force::<D, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
+            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
         let force = force.only(touching);
         if T::REMEMBERS {
             self.springs[block].store(lane, &spring.only(touching));

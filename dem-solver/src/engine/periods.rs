@@ -61,3 +61,18 @@ impl Periods {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrapped_point_is_inside_even_a_rounding_below_the_lower_side() {
+        let periods = Periods::new(&Domain::new([0.0], [1.0]).periodic([true]));
+        for x in [-1e-300, -0.25, 1.0, 1.75, -7.5, 12.0] {
+            let mut centre = Spin::new(x, 0.0, 0.0);
+            periods.wrap(&mut centre);
+            assert!((0.0..1.0).contains(&centre.x), "{x} wraps to {}", centre.x);
+        }
+    }
+}

@@ -11,7 +11,7 @@ use crate::contact::{Response, Touch, touch_force};
 use crate::lanes::{Kernel, Row4, Row8, RowLanes, Vec3};
 
 /// Adds the forces of planes on a chunk's grains to its loads, and their reactions to the planes'.
-pub struct PlaneForces<'a, const D: usize, N, T, X> {
+pub struct PlaneForces<'a, N, T, X> {
     /// Places of all grains.
     pub places: &'a [Row4],
     /// Motions of all grains.
@@ -36,7 +36,7 @@ pub struct PlaneForces<'a, const D: usize, N, T, X> {
     pub laws: PhantomData<(N, T)>,
 }
 
-impl<const D: usize, N: Normal<D>, T: Tangential, X: ExtraForces> Kernel for PlaneForces<'_, D, N, T, X> {
+impl<N: Normal<3>, T: Tangential, X: ExtraForces> Kernel for PlaneForces<'_, N, T, X> {
     type Output = ();
 
     #[inline(always)]
@@ -50,7 +50,7 @@ impl<const D: usize, N: Normal<D>, T: Tangential, X: ExtraForces> Kernel for Pla
     }
 }
 
-impl<const D: usize, N: Normal<D>, T: Tangential, X: ExtraForces> PlaneForces<'_, D, N, T, X> {
+impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
     #[inline(always)]
     unsafe fn lanes<L: RowLanes>(&mut self, block: usize, lane: usize) {
         let PlaneBlock { grain, slot, plane } = &self.blocks[block];
@@ -79,7 +79,7 @@ impl<const D: usize, N: Normal<D>, T: Tangential, X: ExtraForces> PlaneForces<'_
         let (at, step) = ((block, lane), L::splat(self.step));
         let attraction = self.extras.to_wall(at, radius, distance);
         let Response { force, pressing } =
-            touch_force::<D, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
+            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
         let force = force.only(touching);
         if T::REMEMBERS {
             self.springs[block].store(lane, &spring.only(touching));

@@ -107,28 +107,18 @@ fn find_pairs<const D: usize>(
     Ok(())
 }
 
-/// How the inner list of a world is made.
-pub fn refresh<'a, const D: usize>(
-    scene: &'a Scene<D>,
-    world: &'a World<D>,
-    workspace: &'a Workspace<D>,
-) -> Refresh<'a, D> {
-    Refresh {
-        scene,
-        grains: &world.grains,
-        periods: &workspace.periods,
-        gap: world.contacts.skins.inner,
-        alike: world.contacts.alike.is_some(),
-    }
-}
-
 fn refresh_pairs<const D: usize>(scene: &Scene<D>, world: &mut World<D>, workspace: &Workspace<D>) {
-    let mut chunks = std::mem::take(&mut world.contacts.chunks);
-    let refresh = refresh(scene, world, workspace);
-    chunks.par_iter_mut().for_each(|chunk| refresh.run(workspace.backend, chunk));
-    world.contacts.chunks = chunks;
-    world.contacts.spent.inner = 0.0;
-    world.contacts.counters.inner += 1;
+    let World { grains, contacts, .. } = world;
+    let refresh = Refresh {
+        scene,
+        grains,
+        periods: &workspace.periods,
+        gap: contacts.skins.inner,
+        alike: contacts.alike.is_some(),
+    };
+    contacts.chunks.par_iter_mut().for_each(|chunk| refresh.run(workspace.backend, chunk));
+    contacts.spent.inner = 0.0;
+    contacts.counters.inner += 1;
 }
 
 fn find_walls<const D: usize>(scene: &Scene<D>, world: &mut World<D>, workspace: &Workspace<D>, step: f64) {

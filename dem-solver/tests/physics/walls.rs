@@ -1,4 +1,5 @@
 use crate::scenes::{floor, glass, hertz, run, world};
+use dem_solver::engine::Periods;
 use dem_solver::wall::{Facet, Wall, Walls};
 use dem_solver::{Domain, Grain, Scene, Spin, Vector};
 
@@ -115,7 +116,9 @@ fn a_facet_is_felt_across_a_periodic_boundary() {
             let grain = Grain::at([0.09, 0.05, 1.02e-2], 1e-2).moving([speed, 0.0, 0.0]);
             let mut world = world(&scene, &[grain]);
             run(&scene, &mut world, 0.1, 20_000).unwrap();
-            (domain.wrapped(&world.grains.place[0].centre), world.grains.motion[0].angular_velocity)
+            let mut inside = world.grains.place[0].centre;
+            Periods::new(&domain).wrap(&mut inside);
+            (inside, world.grains.motion[0].angular_velocity)
         };
         let mesh = end(Walls::new(vec![Wall::facets("floor", 0, facets.clone())]));
         let plane = end(floor());
