@@ -37,10 +37,12 @@ pub fn touch_force<const D: usize, N: Normal<D>, T: Tangential, L: Lanes>(
     let closing = touch.velocity.dot(touch.normal);
     let normal_force = N::force(coefficients, touch.overlap, closing, step) - attraction;
     let pressing = normal_force.max(-normal_force);
+    let closing_after = closing - normal_force * coefficients.inverse_mass * step;
     let sliding = Sliding {
         normal: touch.normal,
         velocity: touch.velocity - touch.normal * closing,
         limit: coefficients.sliding_friction * pressing,
+        overlap_ahead: touch.overlap + closing_after * step,
         step,
     };
     let friction = T::force(coefficients, N::growth(touch.overlap), &sliding, spring);

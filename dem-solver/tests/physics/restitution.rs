@@ -102,30 +102,24 @@ fn a_sphere_that_slides_all_along_leaves_with_the_surface_speed_of_coulombs_limi
 
 #[test]
 fn no_incidence_from_0_to_89_degrees_gains_energy() {
-    let (mut largest, mut of_elastic_hooke) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    for e in [0.3, 0.9, 1.0] {
+    let mut largest = f64::NEG_INFINITY;
+    for e in [0.1, 0.5, 0.9, 0.999, 1.0] {
         for friction in [0.0, 0.1, 0.5, 1.0] {
             for (scene, step) in both_laws_at_their_steps(e, friction) {
-                // Without any damping a stuck linear contact is let go of within a substep: of order h².
-                let let_go = e == 1.0 && friction > 0.0 && scene.normal_law == hooke();
-                let largest = if let_go { &mut of_elastic_hooke } else { &mut largest };
                 for degrees in 0..90 {
                     for phase in 0..4 {
                         let phase = (f64::from(phase) + 0.5) / 4.0;
                         let mut world = throw(&scene, f64::from(degrees), phase, step);
                         let before = kinetic_energy(&world);
                         bounce(&scene, &mut world, step);
-                        *largest = largest.max(kinetic_energy(&world) / before - 1.0);
+                        largest = largest.max(kinetic_energy(&world) / before - 1.0);
                     }
                 }
             }
         }
     }
-    println!(
-        "energy gained at 0 to 89°: {largest:.1e} [none]; hooke, e = 1, with friction {of_elastic_hooke:.1e}"
-    );
+    println!("energy gained at 0 to 89°: {largest:.1e} [none]");
     assert!(largest < 1e-12, "{largest}");
-    assert!(of_elastic_hooke < 5e-4, "{of_elastic_hooke}");
 }
 
 /// Largest loss of speed of a sphere that leaves the floor in one substep, and its speed in the end.

@@ -67,6 +67,8 @@ pub struct Sliding<L> {
     pub velocity: Vec3<L>,
     /// Largest force that friction bears, μ |F_n| \[N\].
     pub limit: L,
+    /// Overlap that will be left in the next substep; negative where this is the last one of the contact \[m\].
+    pub overlap_ahead: L,
     /// Time since the spring was last moved \[s\].
     pub step: L,
 }
