@@ -29,7 +29,7 @@ struct Metadata {
     walls_since: f64,
     slides: Vec<[f64; 3]>,
     rows: u64,
-    torques: bool,
+    spring_width: u64,
     skins: [f64; 3],
     spent: [f64; 3],
     approach: [f64; 5],
@@ -71,7 +71,7 @@ impl<const D: usize> World<D> {
             slides: self.slides.iter().map(|s| [s.displacement, s.velocity, s.listed]).collect(),
             walls_since: self.received.since,
             rows: arrays.rows,
-            torques: arrays.torques,
+            spring_width: arrays.width,
             skins: [skins.outer, skins.inner, skins.walls],
             spent: [spent.outer, spent.inner, spent.walls],
             approach: [approach.between_grains, approach.to_walls, fx, fy, fz],
@@ -127,7 +127,7 @@ impl<const D: usize> World<D> {
         if metadata.dimension != D {
             return Err(foreign("it is of another dimension"));
         }
-        let grains = read_grains::<D>(&file)?.ok_or_else(|| foreign("its grains are incomplete"))?;
+        let grains = read_grains(&file, scene)?.ok_or_else(|| foreign("its grains are incomplete"))?;
         if grains.material.iter().any(|&material| material as usize >= scene.materials.len()) {
             return Err(foreign("a grain is of a material that the case does not have"));
         }
@@ -177,7 +177,7 @@ fn resume<const D: usize>(feeds: Vec<Feed<D>>, states: Vec<FeedState>) -> Option
     Some(resumed.collect())
 }
 
-fn read_grains<const D: usize>(file: &Checkpoint) -> Result<Option<Grains>, DemError> {
+fn read_grains<const D: usize>(file: &Checkpoint, scene: &Scene<D>) -> Result<Option<Grains>, DemError> {
     let (place, motion, frozen) =
         (file.array::<f64>("place")?, file.array::<f64>("motion")?, file.array::<u8>("frozen")?);
     let (id, mass, material) =
@@ -188,6 +188,9 @@ fn read_grains<const D: usize>(file: &Checkpoint) -> Result<Option<Grains>, DemE
     }
     let place: Vec<_> =
         place.chunks_exact(4).map(|row| Place { centre: spin(row), radius: row[3] }).collect();
+    // A material that the case does not have is refused by the caller.
+    let micro =
+        |material: u32| (material as usize) < scene.materials.len() && scene.materials.is_micro(material);
     let motion = motion.chunks_exact(6).enumerate().map(|(k, row)| {
         if frozen[k] != 0 {
             return Motion::frozen();
@@ -196,7 +199,11 @@ fn read_grains<const D: usize>(file: &Checkpoint) -> Result<Option<Grains>, DemE
             velocity: spin(row),
             inverse_mass: 1.0 / mass[k],
             angular_velocity: spin(&row[3..]),
-            inverse_inertia: 1.0 / inertia::<D>(mass[k], place[k].radius),
+            inverse_inertia: if micro(material[k]) {
+                0.0
+            } else {
+                1.0 / inertia::<D>(mass[k], place[k].radius)
+            },
         }
     });
     Ok(Some(Grains { motion: motion.collect(), id, place, mass, material }))
@@ -205,7 +212,7 @@ fn read_grains<const D: usize>(file: &Checkpoint) -> Result<Option<Grains>, DemE
 fn read_contacts(file: &Checkpoint, metadata: &Metadata) -> Result<ContactArrays, DemError> {
     Ok(ContactArrays {
         rows: metadata.rows,
-        torques: metadata.torques,
+        width: metadata.spring_width,
         outer: file.array("outer pairs")?,
         inner: file.array("inner pairs")?,
         springs: file.array("springs")?,

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::bond::Resistance;
 use crate::bonded::links;
-use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal};
+use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal, Onate};
 use crate::contact::{Coefficients, NormalLaw};
 use crate::engine::{Periods, Planes};
 use crate::error::DemError;
@@ -83,7 +83,8 @@ pub fn critical_time_step<const D: usize>(scene: &Scene<D>, world: &World<D>) ->
     match scene.normal_law {
         NormalLaw::None => of_bonds(scene, world, &vec![0.0; world.grains.len()]),
         NormalLaw::Hooke(law) => by_law::<D, Hooke>(scene, world, &law),
-        NormalLaw::Hertz(law) => by_law::<D, Hertz>(scene, world, &law),
+        NormalLaw::Hertz(law) | NormalLaw::HertzPartialSlip(law) => by_law::<D, Hertz>(scene, world, &law),
+        NormalLaw::Onate(law) => by_law::<D, Onate>(scene, world, &law),
         NormalLaw::LiggghtsHooke(law) => by_law::<D, LiggghtsHooke>(scene, world, &law),
         NormalLaw::LiggghtsHertz(law) => by_law::<D, LiggghtsHertz>(scene, world, &law),
     }

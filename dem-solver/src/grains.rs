@@ -23,7 +23,7 @@ pub struct Motion {
     pub inverse_mass: f64,
     /// Angular velocity ω \[rad/s\].
     pub angular_velocity: Spin,
-    /// 1/I \[1/(kg m²)\]; 0 for a frozen grain.
+    /// 1/I \[1/(kg m²)\]; 0 for a frozen grain and for a micro grain, which does not turn.
     pub inverse_inertia: f64,
 }
 
@@ -44,6 +44,14 @@ impl Motion {
             angular_velocity: Spin::zeros(),
             inverse_inertia: 0.0,
         }
+    }
+
+    /// Energy of rotation I ω²/2 \[J\]; none of a grain that does not turn.
+    pub fn rotational_energy(&self) -> f64 {
+        if self.inverse_inertia == 0.0 {
+            return 0.0;
+        }
+        0.5 * self.angular_velocity.norm_squared() / self.inverse_inertia
     }
 
     /// Whether the grain is fixed in place.
@@ -142,13 +150,13 @@ impl Grains {
         self.id.is_empty()
     }
 
-    /// Adds a grain of this identity and mass as the last row.
-    pub fn push<const D: usize>(&mut self, id: u64, grain: &Grain<D>, mass: f64) {
+    /// Adds a grain of this identity and mass as the last row; a micro grain does not turn.
+    pub fn push<const D: usize>(&mut self, id: u64, grain: &Grain<D>, mass: f64, micro: bool) {
         let free = Motion {
             velocity: embed(&grain.velocity),
             inverse_mass: 1.0 / mass,
-            angular_velocity: grain.angular_velocity,
-            inverse_inertia: 1.0 / inertia::<D>(mass, grain.radius),
+            angular_velocity: if micro { Spin::zeros() } else { grain.angular_velocity },
+            inverse_inertia: if micro { 0.0 } else { 1.0 / inertia::<D>(mass, grain.radius) },
         };
         self.id.push(id);
         self.place.push(Place { centre: embed(&grain.centre), radius: grain.radius });

@@ -153,6 +153,5 @@ pub fn momentum<const D: usize>(world: &World<D>) -> Vector<D> {
 
 /// Kinetic energy m v²/2 + I ω²/2 of a moving grain.
 fn kinetic_energy(motion: &Motion) -> f64 {
-    0.5 * (motion.velocity.norm_squared() / motion.inverse_mass
-        + motion.angular_velocity.norm_squared() / motion.inverse_inertia)
+    0.5 * motion.velocity.norm_squared() / motion.inverse_mass + motion.rotational_energy()
 }

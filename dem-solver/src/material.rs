@@ -16,6 +16,10 @@ pub struct Material {
 /// Two materials in contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairMaterial {
+    /// Young's modulus of two halves in a row, 2/(1/E_i + 1/E_j) \[Pa\].
+    pub youngs_modulus: f64,
+    /// Mean Poisson's ratio \[-\].
+    pub poissons_ratio: f64,
     /// E*, 1/E* = Σ (1 - ν²)/E \[Pa\].
     pub effective_modulus: f64,
     /// G*, 1/G* = Σ 2 (2 - ν)(1 + ν)/E \[Pa\].
@@ -40,6 +44,8 @@ impl PairMaterial {
     pub fn new(one: &Material, other: &Material, restitution: f64, sliding_friction: f64) -> Self {
         let both = |compliance: fn(&Material) -> f64| 1.0 / (compliance(one) + compliance(other));
         Self {
+            youngs_modulus: 2.0 * both(|m| 1.0 / m.youngs_modulus),
+            poissons_ratio: 0.5 * (one.poissons_ratio + other.poissons_ratio),
             effective_modulus: both(|m| (1.0 - m.poissons_ratio.powi(2)) / m.youngs_modulus),
             effective_shear_modulus: both(|m| {
                 2.0 * (2.0 - m.poissons_ratio) * (1.0 + m.poissons_ratio) / m.youngs_modulus
@@ -58,6 +64,7 @@ impl PairMaterial {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Materials {
     list: Vec<Material>,
+    micro: Vec<bool>,
     pairs: Vec<PairMaterial>,
 }
 
@@ -71,7 +78,8 @@ impl Materials {
                 PairMaterial::new(&list[a], &list[b], restitution, sliding_friction)
             })
             .collect();
-        Self { list, pairs }
+        let micro = vec![false; list.len()];
+        Self { list, micro, pairs }
     }
 
     /// The materials with more said of each pair.
@@ -82,6 +90,24 @@ impl Materials {
             say(one.min(other), one.max(other), pair);
         }
         self
+    }
+
+    /// The materials, those that `micro` names being of micro grains: they do not turn, and nothing rubs on them.
+    ///
+    /// Source: Oñate et al., Lagrangian analysis of multiscale particulate flows with the particle finite element method
+    /// (2014), section 4: forces between microscopic particles act along the line of their centres.
+    pub fn with_micro(mut self, micro: impl Fn(usize) -> bool) -> Self {
+        self.micro = (0..self.list.len()).map(&micro).collect();
+        self.with(|a, b, pair| {
+            if micro(a) || micro(b) {
+                (pair.sliding_friction, pair.rolling_friction) = (0.0, 0.0);
+            }
+        })
+    }
+
+    /// Whether grains of this material are micro grains.
+    pub fn is_micro(&self, material: u32) -> bool {
+        self.micro[material as usize]
     }
 
     /// The material of this index.

@@ -167,9 +167,8 @@ impl Record {
             fastest = fastest.max(motion.velocity.norm());
             highest = highest.max(at.centre[D - 1] + at.radius);
             if !motion.is_frozen() {
-                energy += 0.5
-                    * (motion.velocity.norm_squared() / motion.inverse_mass
-                        + motion.angular_velocity.norm_squared() / motion.inverse_inertia);
+                energy +=
+                    0.5 * motion.velocity.norm_squared() / motion.inverse_mass + motion.rotational_energy();
             }
         }
         let [x, y, z] = place;

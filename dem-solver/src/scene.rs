@@ -95,7 +95,10 @@ impl<const D: usize> Scene<D> {
         let pair = self.materials.pair(materials.0, materials.1);
         match self.normal_law {
             NormalLaw::Hooke(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
-            NormalLaw::Hertz(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
+            NormalLaw::Hertz(law) | NormalLaw::HertzPartialSlip(law) => {
+                Some(Normal::<D>::coefficients(&law, pair, radius, mass))
+            }
+            NormalLaw::Onate(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
             NormalLaw::LiggghtsHooke(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
             NormalLaw::LiggghtsHertz(law) => Some(Normal::<D>::coefficients(&law, pair, radius, mass)),
             NormalLaw::None => None,

@@ -57,7 +57,8 @@ impl<const D: usize> World<D> {
     /// Gives birth to a grain of the scene.
     pub fn add(&mut self, scene: &Scene<D>, grain: &Grain<D>) {
         let density = scene.materials.get(grain.material).density;
-        self.grains.push(self.born, grain, density * volume::<D>(grain.radius, scene.depth));
+        let mass = density * volume::<D>(grain.radius, scene.depth);
+        self.grains.push(self.born, grain, mass, scene.materials.is_micro(grain.material));
         self.born += 1;
         self.contacts.expire();
     }

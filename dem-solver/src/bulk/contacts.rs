@@ -1,8 +1,8 @@
 //! All contacts of an instant, with the forces they bear at rest.
 
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal, NormalLaw};
-use crate::contact::tangential::{Coulomb, LiggghtsHistory, Spring, Tangential};
-use crate::contact::{COINCIDENT, Coefficients, Touch, pressed_surfaces, touch_force};
+use crate::contact::tangential::{Coulomb, LiggghtsHistory, PartialSlip, Tangential};
+use crate::contact::{COINCIDENT, Coefficients, History, Touch, pressed_surfaces, touch_force};
 use crate::engine::{Chunk, Periods, Planes, inherited};
 use crate::lanes::Vec3;
 use crate::scene::Scene;
@@ -30,8 +30,9 @@ pub struct Contact {
 /// holds within Coulomb's limit; no dashpot. Bonds are no contacts.
 pub fn contacts_at_rest<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Vec<Contact> {
     match scene.normal_law {
-        NormalLaw::Hooke(_) => by_law::<D, Hooke, Coulomb>(scene, world),
+        NormalLaw::Hooke(_) | NormalLaw::Onate(_) => by_law::<D, Hooke, Coulomb>(scene, world),
         NormalLaw::Hertz(_) => by_law::<D, Hertz, Coulomb>(scene, world),
+        NormalLaw::HertzPartialSlip(_) => by_law::<D, Hertz, PartialSlip>(scene, world),
         NormalLaw::LiggghtsHooke(_) => by_law::<D, LiggghtsHooke, LiggghtsHistory>(scene, world),
         NormalLaw::LiggghtsHertz(_) => by_law::<D, LiggghtsHertz, LiggghtsHistory>(scene, world),
         NormalLaw::None => vec![],
@@ -145,7 +146,7 @@ fn on_wall<const D: usize, N: Normal<D>, T: Tangential>(
     (grain, wall): (usize, u32),
     coefficients: &Coefficients,
     (normal, overlap): (Spin, f64),
-    spring: Spring,
+    spring: History,
 ) -> Contact {
     let radius = world.grains.place[grain].radius;
     let attraction = scene.extras.cohesion.map_or(0.0, |law| {
@@ -162,8 +163,10 @@ fn at_rest<const D: usize, N: Normal<D>, T: Tangential>(
     coefficients: &Coefficients,
     (normal, overlap): (Spin, f64),
     attraction: f64,
-    mut spring: Spring,
+    spring: History,
 ) -> Spin {
     let touch = Touch { normal: lane(&normal), overlap, velocity: Vec3::zero() };
-    unlane(touch_force::<D, N, T, f64>(coefficients, &touch, attraction, &mut spring, 0.0).force)
+    let (mut spring, mut annuli) = spring.parts();
+    let memory = (&mut spring, &mut annuli);
+    unlane(touch_force::<D, N, T, f64>(coefficients, &touch, attraction, memory, 0.0).force)
 }

@@ -45,7 +45,7 @@ fn kinetic_energies<const D: usize>(world: &World<D>) -> [f64; 2] {
     moving.fold([0.0; 2], |[translation, rotation], motion| {
         [
             translation + 0.5 * motion.velocity.norm_squared() / motion.inverse_mass,
-            rotation + 0.5 * motion.angular_velocity.norm_squared() / motion.inverse_inertia,
+            rotation + motion.rotational_energy(),
         ]
     })
 }

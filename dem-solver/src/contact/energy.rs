@@ -9,8 +9,8 @@ use crate::world::World;
 /// Energy in the normal and tangential springs of all pairs of grains and of grains and walls \[J\].
 pub fn stored_energy<const D: usize>(scene: &Scene<D>, world: &World<D>) -> f64 {
     match scene.normal_law {
-        NormalLaw::Hooke(_) => by_law::<D, Hooke>(scene, world),
-        NormalLaw::Hertz(_) => by_law::<D, Hertz>(scene, world),
+        NormalLaw::Hooke(_) | NormalLaw::Onate(_) => by_law::<D, Hooke>(scene, world),
+        NormalLaw::Hertz(_) | NormalLaw::HertzPartialSlip(_) => by_law::<D, Hertz>(scene, world),
         NormalLaw::LiggghtsHooke(_) => by_law::<D, LiggghtsHooke>(scene, world),
         NormalLaw::LiggghtsHertz(_) => by_law::<D, LiggghtsHertz>(scene, world),
         NormalLaw::None => 0.0,

@@ -2,7 +2,7 @@
 
 use super::coefficients::Coefficients;
 use super::normal::Normal;
-use super::tangential::{Sliding, Spring, Tangential};
+use super::tangential::{Annuli, Sliding, Spring, Tangential};
 use crate::lanes::{Lanes, Vec3};
 
 /// Two bodies in contact.
@@ -31,20 +31,21 @@ pub fn touch_force<const D: usize, N: Normal<D>, T: Tangential, L: Lanes>(
     coefficients: &Coefficients<L>,
     touch: &Touch<L>,
     attraction: L,
-    spring: &mut Spring<L>,
+    (spring, annuli): (&mut Spring<L>, &mut Annuli<L>),
     step: L,
 ) -> Response<L> {
     let closing = touch.velocity.dot(touch.normal);
     let normal_force = N::force(coefficients, touch.overlap, closing, step) - attraction;
     let pressing = normal_force.max(-normal_force);
     let closing_after = closing - normal_force * coefficients.inverse_mass * step;
+    let overlap_ahead = if N::ENDS_STIFF { Some(touch.overlap + closing_after * step) } else { None };
     let sliding = Sliding {
         normal: touch.normal,
         velocity: touch.velocity - touch.normal * closing,
         limit: coefficients.sliding_friction * pressing,
-        overlap_ahead: touch.overlap + closing_after * step,
+        overlap_ahead,
         step,
     };
-    let friction = T::force(coefficients, N::growth(touch.overlap), &sliding, spring);
+    let friction = T::force(coefficients, N::growth(touch.overlap), &sliding, spring, annuli);
     Response { force: friction - touch.normal * normal_force, pressing }
 }

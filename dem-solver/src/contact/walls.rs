@@ -1,8 +1,9 @@
 //! Forces between grains and walls, one by one.
 
+use super::history::History;
 use super::normal::Normal;
 use super::rolling::Rolling;
-use super::tangential::{Spring, Tangential};
+use super::tangential::{Annuli, Spring, Tangential};
 use super::touch::{Response, Touch, touch_force};
 use crate::engine::{Candidate, Chunk, WallContact, extras_near, inherited};
 use crate::fault::Fault;
@@ -61,10 +62,10 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
                 velocity -= embed(&pose.velocity_at(&point));
             }
             let touch = Touch { normal: lane(&embed(&normal)), overlap, velocity: lane(&velocity) };
-            let mut spring = if T::REMEMBERS {
-                inherited(of_grain, pressed.wall, &embed(&normal))
+            let (mut spring, mut annuli) = if T::REMEMBERS {
+                inherited(of_grain, pressed.wall, &embed(&normal)).parts()
             } else {
-                Spring::relaxed()
+                (Spring::relaxed(), Annuli::relaxed())
             };
             let (coefficients, extras) =
                 (&pressed.candidate.coefficients, extras_near(scene, grains, &pressed.candidate));
@@ -74,8 +75,9 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
                 }
                 _ => 0.0,
             };
+            let memory = (&mut spring, &mut annuli);
             let Response { force, pressing } =
-                touch_force::<D, N, T, f64>(coefficients, &touch, attraction, &mut spring, step);
+                touch_force::<D, N, T, f64>(coefficients, &touch, attraction, memory, step);
             let force = unlane(force);
             let mut braking = Spin::zeros();
             if let (Some(law), Some(of), true) = (scene.extras.rolling, &extras, T::REMEMBERS) {
@@ -102,6 +104,7 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
             scratch.wall_impulse[pressed.wall as usize] += received;
             if T::REMEMBERS {
                 let (wall, normal) = (pressed.wall, embed(&normal));
+                let spring = History { spring, annuli: T::SLIPS_IN_PART.then(|| Box::new(annuli)) };
                 chunk.wall_contacts.push(WallContact { grain: row, wall, normal, spring });
             }
         }

@@ -1,6 +1,6 @@
 //! The lists as arrays, for a checkpoint, and back.
 
-use super::chunk::find_stretches;
+use super::chunk::{Chunk, find_stretches};
 use super::constants::Alike;
 use super::inner::Refresh;
 use super::list::ContactList;
@@ -10,7 +10,8 @@ use super::outer::assign_slots;
 use super::periods::Periods;
 use super::springs::Memory;
 use super::wall_contact::WallContact;
-use crate::contact::{Remembered, Spring};
+use crate::contact::tangential::{ANNULI, Annuli};
+use crate::contact::{History, Remembered, Spring};
 use crate::domain::Image;
 use crate::grains::Grains;
 use crate::lanes::Vec3;
@@ -22,8 +23,8 @@ use crate::vector::Spin;
 pub struct ContactArrays {
     /// Grains that the lists know.
     pub rows: u64,
-    /// Whether springs are stored with their torques against rolling.
-    pub torques: bool,
+    /// Numbers stored of each spring; those left out are 0 in all.
+    pub width: u64,
     /// Outer pairs, two rows each.
     pub outer: Vec<u32>,
     /// Which of them are inner ones.
@@ -50,66 +51,87 @@ pub struct ContactArrays {
     pub wall_springs: Vec<f64>,
 }
 
-/// Numbers of a spring: force, stiffness and, where any holds one, the torque against rolling.
-fn width(torques: bool) -> usize {
-    if torques { 7 } else { 4 }
+/// Numbers of a spring: force and stiffness, the torque against rolling, its annuli.
+const ALL: usize = 7 + 3 * ANNULI + 4;
+/// Those that are always stored.
+const FEWEST: usize = 4;
+
+fn all_floats(history: &History) -> [f64; ALL] {
+    let mut all = [0.0; ALL];
+    let (Spring { force: f, stiffness, torque: t }, Annuli { force, full_stiffness, normal }) =
+        history.parts();
+    all[..7].copy_from_slice(&[f.x, f.y, f.z, stiffness, t.x, t.y, t.z]);
+    for (row, f) in all[7..].chunks_mut(3).zip(force) {
+        row.copy_from_slice(&[f.x, f.y, f.z]);
+    }
+    all[ALL - 4..].copy_from_slice(&[normal.x, normal.y, normal.z, full_stiffness]);
+    all
 }
 
-fn floats(spring: Spring, torques: bool) -> impl Iterator<Item = f64> {
-    let Spring { force: f, stiffness, torque: t } = spring;
-    [f.x, f.y, f.z, stiffness, t.x, t.y, t.z].into_iter().take(width(torques))
+fn floats(history: &History, width: usize) -> impl Iterator<Item = f64> + use<> {
+    all_floats(history).into_iter().take(width)
 }
 
-fn spring(row: &[f64]) -> Spring {
-    let vector = |row: &[f64]| Vec3::new(row[0], row[1], row[2]);
-    Spring { force: vector(row), stiffness: row[3], torque: row.get(4..7).map_or(Vec3::zero(), vector) }
+fn history(row: &[f64]) -> History {
+    let mut all = [0.0; ALL];
+    all[..row.len()].copy_from_slice(row);
+    let vector = |at: usize| Vec3::new(all[at], all[at + 1], all[at + 2]);
+    let spring = Spring { force: vector(0), stiffness: all[3], torque: vector(4) };
+    let annuli = Annuli {
+        force: std::array::from_fn(|k| vector(7 + 3 * k)),
+        normal: vector(ALL - 4),
+        full_stiffness: all[ALL - 1],
+    };
+    History { spring, annuli: (row.len() > 7).then(|| Box::new(annuli)) }
 }
 
-/// Whether any spring of the lists holds a torque.
-fn any_torque(list: &ContactList) -> bool {
-    let holds = |spring: Spring| spring.torque.norm_squared() > 0.0;
-    list.chunks.iter().any(|chunk| {
-        chunk.inner.all_springs().any(holds)
-            || chunk.planes.all_springs().any(holds)
-            || chunk.remembered.iter().any(|entry| holds(entry.spring))
-            || chunk.plane_springs.iter().any(|entry| holds(entry.spring))
-            || chunk.wall_contacts.iter().any(|contact| holds(contact.spring))
-    })
+/// How many numbers of the springs must be stored so that none is lost.
+fn width(list: &ContactList) -> usize {
+    let used =
+        |history: &History| all_floats(history).iter().rposition(|&x| x != 0.0).map_or(0, |last| last + 1);
+    let of_chunk = |chunk: &Chunk| {
+        let listed = chunk.inner.all_springs().chain(chunk.planes.all_springs()).map(|spring| used(&spring));
+        let remembered = chunk.remembered.iter().map(|entry| used(&entry.spring));
+        let on_planes = chunk.plane_springs.iter().map(|entry| used(&entry.spring));
+        let on_walls = chunk.wall_contacts.iter().map(|contact| used(&contact.spring));
+        listed.chain(remembered).chain(on_planes).chain(on_walls).max()
+    };
+    list.chunks.iter().filter_map(of_chunk).fold(FEWEST, usize::max)
 }
 
 impl ContactArrays {
     /// The lists as arrays.
     pub fn of(list: &ContactList) -> Self {
-        let torques = any_torque(list);
-        let mut arrays = Self { torques, ..Self::default() };
+        let width = width(list);
+        let mut arrays = Self { width: width as u64, ..Self::default() };
         for chunk in &list.chunks {
             arrays.rows = chunk.rows.end as u64;
             let before = arrays.outer.len() as u32 / 2;
             let pairs = chunk.outer.i.iter().zip(&chunk.outer.slot);
             arrays.outer.extend(pairs.flat_map(|(&i, &slot)| [i, chunk.grain_of_slot[slot as usize]]));
             arrays.inner.extend(chunk.inner.source.iter().map(|pair| before + pair));
-            arrays.springs.extend(chunk.inner.all_springs().flat_map(move |spring| floats(spring, torques)));
+            arrays.springs.extend(chunk.inner.all_springs().flat_map(move |spring| floats(&spring, width)));
             arrays.remembered.extend(chunk.remembered.iter().flat_map(|entry| [entry.i, entry.j]));
             arrays
                 .remembered_springs
-                .extend(chunk.remembered.iter().flat_map(|entry| floats(entry.spring, torques)));
+                .extend(chunk.remembered.iter().flat_map(|entry| floats(&entry.spring, width)));
             arrays
                 .near_planes
                 .extend(chunk.planes.contacts().flat_map(|(row, plane, _)| [row as u32, plane as u32]));
             arrays
                 .plane_springs
-                .extend(chunk.planes.all_springs().flat_map(move |spring| floats(spring, torques)));
+                .extend(chunk.planes.all_springs().flat_map(move |spring| floats(&spring, width)));
             arrays.on_planes.extend(chunk.plane_springs.iter().flat_map(|entry| [entry.grain, entry.plane]));
             arrays
                 .on_planes_springs
-                .extend(chunk.plane_springs.iter().flat_map(|entry| floats(entry.spring, torques)));
+                .extend(chunk.plane_springs.iter().flat_map(|entry| floats(&entry.spring, width)));
             arrays.near_walls.extend(chunk.candidates.iter().flat_map(|c| [c.grain, c.surface, c.image.0]));
             arrays.on_walls.extend(chunk.wall_contacts.iter().flat_map(|c| [c.grain, c.wall]));
             arrays.wall_springs.extend(
                 chunk
                     .wall_contacts
                     .iter()
-                    .flat_map(|c| c.normal.iter().copied().chain(floats(c.spring, torques)))
+                    .flat_map(|c| c.normal.iter().copied().chain(floats(&c.spring, width)))
                     .collect::<Vec<_>>(),
             );
         }
@@ -127,24 +149,26 @@ impl ContactArrays {
         let on_planes = |list: &[u32]| {
             ascends::<2>(list) && list.chunks(2).all(|c| c[0] < rows && (c[1] as usize) < planes.wall.len())
         };
-        let springs = |list: &[f64], contacts: usize| list.len() == width(self.torques) * contacts;
-        let rub = scene.materials.rub();
-        self.rows <= grains as u64
+        let width = self.width as usize;
+        let springs = |list: &[f64], contacts: usize| list.len() == width * contacts;
+        let remember = Memory::of(scene).any();
+        (FEWEST..=ALL).contains(&width)
+            && self.rows <= grains as u64
             && pairs(&self.outer)
             && pairs(&self.remembered)
             && self.inner.is_sorted()
             && self.inner.last().is_none_or(|&pair| (pair as usize) < self.outer.len() / 2)
-            && springs(&self.springs, if rub { self.inner.len() } else { 0 })
+            && springs(&self.springs, if remember { self.inner.len() } else { 0 })
             && springs(&self.remembered_springs, self.remembered.len() / 2)
             && on_planes(&self.near_planes)
             && on_planes(&self.on_planes)
-            && springs(&self.plane_springs, if rub { self.near_planes.len() / 2 } else { 0 })
+            && springs(&self.plane_springs, if remember { self.near_planes.len() / 2 } else { 0 })
             && springs(&self.on_planes_springs, self.on_planes.len() / 2)
             && ascends::<3>(&self.near_walls)
             && self.near_walls.chunks(3).all(|c| c[0] < rows && c[1] < surfaces && c[2] < images)
             && ascends::<2>(&self.on_walls)
             && self.on_walls.chunks(2).all(|c| c[0] < rows && c[1] < walls)
-            && self.wall_springs.len() == self.on_walls.len() / 2 * (3 + width(self.torques))
+            && self.wall_springs.len() == self.on_walls.len() / 2 * (3 + width)
     }
 
     /// The lists of these grains; `list` has the rest of them. Nothing if the arrays do not fit.
@@ -166,7 +190,7 @@ impl ContactArrays {
         let periods = Periods::new(&scene.domain);
         let refresh =
             Refresh { scene, grains, periods: &periods, gap: list.skins.inner, alike: list.alike.is_some() };
-        let (mut rest, width, memory) = (Rest::of(self), width(self.torques), Memory::of(scene));
+        let (mut rest, width, memory) = (Rest::of(self), self.width as usize, Memory::of(scene));
         let (mut first_pair, mut inner_done) = (0, 0);
         for chunk in &mut list.chunks {
             let (first, end) = (chunk.rows.start as u32, chunk.rows.end as u32);
@@ -179,13 +203,13 @@ impl ContactArrays {
             chunk.inner.source.extend(self.inner[inner_done..][..inner].iter().map(|pair| pair - first_pair));
             assign_slots(chunk);
             refresh.complete(chunk);
-            if scene.materials.rub() {
-                let springs = self.springs[width * inner_done..].chunks(width).take(inner).map(spring);
+            if memory.any() {
+                let springs = self.springs[width * inner_done..].chunks(width).take(inner).map(history);
                 chunk.inner.set_springs(springs);
             }
             (first_pair, inner_done) = (last_pair, inner_done + inner);
             for (pair, row) in rest.remembered.take_below(end).iter().zip(&mut rest.remembered_springs) {
-                chunk.remembered.push(Remembered { i: pair[0], j: pair[1], spring: spring(row) });
+                chunk.remembered.push(Remembered { i: pair[0], j: pair[1], spring: history(row) });
             }
             for contact in rest.near_planes.take_below(end) {
                 let (grain, plane) = (contact[0], contact[1]);
@@ -195,19 +219,19 @@ impl ContactArrays {
                 let coefficients = found.coefficients;
                 let extras = extras_near(scene, grains, &found);
                 let near = NearPlane { grain, plane, radius, coefficients, extras };
-                let spring = rest.plane_springs.next().map_or(Spring::relaxed(), spring);
+                let spring = rest.plane_springs.next().map_or(History::none(), history);
                 chunk.planes.push(&near, first, planes.surface.len() as u32, &spring, memory);
             }
             for (contact, row) in rest.on_planes.take_below(end).iter().zip(&mut rest.on_planes_springs) {
                 let (grain, plane) = (contact[0], contact[1]);
-                chunk.plane_springs.push(PlaneSpring { grain, plane, spring: spring(row) });
+                chunk.plane_springs.push(PlaneSpring { grain, plane, spring: history(row) });
             }
             for c in rest.near_walls.take_below(end) {
                 chunk.candidates.extend(candidate(scene, grains, c[0], c[1], Image(c[2])));
             }
             for (contact, row) in rest.on_walls.take_below(end).iter().zip(&mut rest.wall_springs) {
                 let (grain, wall, normal) = (contact[0], contact[1], Spin::new(row[0], row[1], row[2]));
-                chunk.wall_contacts.push(WallContact { grain, wall, normal, spring: spring(&row[3..]) });
+                chunk.wall_contacts.push(WallContact { grain, wall, normal, spring: history(&row[3..]) });
             }
         }
         find_stretches(&mut list.chunks);
@@ -247,7 +271,7 @@ struct Rest<'a> {
 
 impl<'a> Rest<'a> {
     fn of(arrays: &'a ContactArrays) -> Self {
-        let width = width(arrays.torques);
+        let width = arrays.width as usize;
         Self {
             outer: Ascending::new(&arrays.outer),
             remembered: Ascending::new(&arrays.remembered),

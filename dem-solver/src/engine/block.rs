@@ -1,6 +1,7 @@
 //! Eight contacts side by side.
 
 use crate::contact::rolling::RollingConstants;
+use crate::contact::tangential::{ANNULI, Annuli};
 use crate::contact::{Coefficients, ExtraConstants, Spring};
 use crate::lanes::{Lanes, Vec3};
 
@@ -145,6 +146,59 @@ impl TorqueBlock {
         torque.x.store(&mut x[lane..]);
         torque.y.store(&mut y[lane..]);
         torque.z.store(&mut z[lane..]);
+    }
+}
+
+#[inline(always)]
+fn load_vector<L: Lanes>([x, y, z]: &[[f64; WIDTH]; 3], lane: usize) -> Vec3<L> {
+    Vec3::load(&x[lane..], &y[lane..], &z[lane..])
+}
+
+#[inline(always)]
+fn store_vector<L: Lanes>([x, y, z]: &mut [[f64; WIDTH]; 3], lane: usize, vector: Vec3<L>) {
+    vector.x.store(&mut x[lane..]);
+    vector.y.store(&mut y[lane..]);
+    vector.z.store(&mut z[lane..]);
+}
+
+/// What the annuli of eight contacts bear.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C, align(64))]
+pub struct AnnuliBlock {
+    force: [[[f64; WIDTH]; 3]; ANNULI],
+    full_stiffness: [f64; WIDTH],
+    normal: [[f64; WIDTH]; 3],
+}
+
+impl AnnuliBlock {
+    /// The annuli from this lane on.
+    #[inline(always)]
+    pub fn load<L: Lanes>(&self, lane: usize) -> Annuli<L> {
+        let mut annuli = Annuli::relaxed();
+        for (force, from) in annuli.force.iter_mut().zip(&self.force) {
+            *force = load_vector(from, lane);
+        }
+        annuli.full_stiffness = L::load(&self.full_stiffness[lane..]);
+        annuli.normal = load_vector(&self.normal, lane);
+        annuli
+    }
+
+    /// Stores annuli from this lane on.
+    #[inline(always)]
+    pub fn store<L: Lanes>(&mut self, lane: usize, annuli: &Annuli<L>) {
+        for (to, &force) in self.force.iter_mut().zip(&annuli.force) {
+            store_vector(to, lane, force);
+        }
+        annuli.full_stiffness.store(&mut self.full_stiffness[lane..]);
+        store_vector(&mut self.normal, lane, annuli.normal);
+    }
+
+    /// Forgets the annuli from this lane on; most often there is nothing to forget.
+    #[inline(always)]
+    pub fn relax<L: Lanes>(&mut self, lane: usize) {
+        if L::any(L::splat(0.0).less(L::load(&self.full_stiffness[lane..]))) {
+            self.store(lane, &Annuli::<L>::relaxed());
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use super::constants::Alike;
 use super::near_planes::{NearPlanes, PlaneSpring};
 use super::springs::Springs;
 use super::wall_contact::{Candidate, WallContact};
-use crate::contact::{Coefficients, Remembered, Spring};
+use crate::contact::{Coefficients, History, Remembered};
 
 /// Grains per chunk, at least and at most.
 const SMALLEST: usize = 1024;
@@ -74,13 +74,13 @@ pub struct InnerPairs {
 
 impl InnerPairs {
     /// The springs of all pairs, if contacts remember.
-    pub fn all_springs(&self) -> impl Iterator<Item = Spring> {
+    pub fn all_springs(&self) -> impl Iterator<Item = History> {
         let count = if self.springs.is_empty() { 0 } else { self.source.len() };
         (0..count).map(|k| self.springs.get(k))
     }
 
     /// Sets the springs of the pairs, in their order.
-    pub fn set_springs(&mut self, springs: impl Iterator<Item = Spring>) {
+    pub fn set_springs(&mut self, springs: impl Iterator<Item = History>) {
         for (k, spring) in springs.enumerate() {
             self.springs.set(k, &spring);
         }

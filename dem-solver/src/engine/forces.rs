@@ -6,7 +6,7 @@ use super::chunk::Chunk;
 use super::kernels::Kernels;
 use super::near_planes::Planes;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal};
-use crate::contact::tangential::{Coulomb, Frictionless, LiggghtsHistory, Tangential};
+use crate::contact::tangential::{Coulomb, Frictionless, LiggghtsHistory, PartialSlip, Tangential};
 use crate::contact::{NormalLaw, wall_forces};
 use crate::fault::Fault;
 use crate::grains::{AsRows, Grains};
@@ -75,8 +75,13 @@ fn on_walls_one_by_one<const D: usize>(
     let out = (loads, scratch);
     match scene.normal_law {
         NormalLaw::None => {}
-        NormalLaw::Hooke(_) => by_law::<D, Hooke, Coulomb>(scene, grains, walls, chunk, out, step),
+        NormalLaw::Hooke(_) | NormalLaw::Onate(_) => {
+            by_law::<D, Hooke, Coulomb>(scene, grains, walls, chunk, out, step);
+        }
         NormalLaw::Hertz(_) => by_law::<D, Hertz, Coulomb>(scene, grains, walls, chunk, out, step),
+        NormalLaw::HertzPartialSlip(_) => {
+            by_law::<D, Hertz, PartialSlip>(scene, grains, walls, chunk, out, step);
+        }
         NormalLaw::LiggghtsHooke(_) => {
             by_law::<D, LiggghtsHooke, LiggghtsHistory>(scene, grains, walls, chunk, out, step);
         }

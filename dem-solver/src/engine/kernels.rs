@@ -5,7 +5,7 @@
 
 use std::marker::PhantomData;
 
-use super::block::{ConstantsBlock, PairBlock, PlaneBlock, SpringBlock};
+use super::block::{AnnuliBlock, ConstantsBlock, PairBlock, PlaneBlock, SpringBlock};
 use super::chunk::{Chunk, InnerPairs};
 use super::constants::{Alike, PairConstants};
 use super::extras::{ChosenExtras, ExtraForces, NoExtras};
@@ -16,17 +16,19 @@ use super::periods::Periods;
 use super::planes::PlaneForces;
 use super::springs::Springs;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal};
-use crate::contact::tangential::{Coulomb, Frictionless, LiggghtsHistory, Tangential};
+use crate::contact::tangential::{Coulomb, Frictionless, LiggghtsHistory, PartialSlip, Tangential};
 use crate::contact::{Extras, NormalLaw};
 use crate::lanes::{Backend, Row4, Row8};
 
 /// Normal laws that are kernels of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LawInLanes {
-    /// [`Hooke`], and [`Hertz`] in 2D.
+    /// [`Hooke`], and what grows like it: [`Hertz`] in 2D and [`crate::contact::normal::Onate`].
     Hooke,
     /// [`Hertz`] of spheres.
     Hertz,
+    /// The same with [`PartialSlip`].
+    HertzPartialSlip,
     /// [`LiggghtsHooke`].
     LiggghtsHooke,
     /// [`LiggghtsHertz`].
@@ -38,7 +40,8 @@ impl NormalLaw {
     pub fn in_lanes<const D: usize>(&self) -> Option<LawInLanes> {
         match self {
             Self::Hertz(_) if D == 3 => Some(LawInLanes::Hertz),
-            Self::Hooke(_) | Self::Hertz(_) => Some(LawInLanes::Hooke),
+            Self::HertzPartialSlip(_) => Some(LawInLanes::HertzPartialSlip),
+            Self::Hooke(_) | Self::Hertz(_) | Self::Onate(_) => Some(LawInLanes::Hooke),
             Self::LiggghtsHooke(_) => Some(LawInLanes::LiggghtsHooke),
             Self::LiggghtsHertz(_) => Some(LawInLanes::LiggghtsHertz),
             Self::None => None,
@@ -77,7 +80,8 @@ macro_rules! by_law {
             (LawInLanes::Hooke, true) => $self.$method::<Hooke, Coulomb>($($argument),*),
             (LawInLanes::Hooke, false) => $self.$method::<Hooke, Frictionless>($($argument),*),
             (LawInLanes::Hertz, true) => $self.$method::<Hertz, Coulomb>($($argument),*),
-            (LawInLanes::Hertz, false) => $self.$method::<Hertz, Frictionless>($($argument),*),
+            (LawInLanes::HertzPartialSlip, true) => $self.$method::<Hertz, PartialSlip>($($argument),*),
+            (LawInLanes::Hertz | LawInLanes::HertzPartialSlip, false) => $self.$method::<Hertz, Frictionless>($($argument),*),
             (LawInLanes::LiggghtsHooke, true) => $self.$method::<LiggghtsHooke, LiggghtsHistory>($($argument),*),
             (LawInLanes::LiggghtsHooke, false) => $self.$method::<LiggghtsHooke, Frictionless>($($argument),*),
             (LawInLanes::LiggghtsHertz, true) => $self.$method::<LiggghtsHertz, LiggghtsHistory>($($argument),*),
@@ -106,21 +110,22 @@ impl Kernels<'_> {
     ) -> Option<(u32, u32)> {
         let InnerPairs { blocks, springs, constants, extras, .. } = &mut chunk.inner;
         let (constants, laws) = (constants.as_slice(), self.extras);
-        let Springs { forces, torques } = springs;
+        let Springs { forces, torques, annuli } = springs;
+        let springs = (forces.as_mut_slice(), annuli.as_mut_slice());
         match self.alike {
-            Some(alike) => self.pairs::<N, T, _, _>(blocks, forces, alike, NoExtras, loads),
+            Some(alike) => self.pairs::<N, T, _, _>(blocks, springs, alike, NoExtras, loads),
             None if laws.any() => {
                 let extras = ChosenExtras { laws, constants: extras, torques };
-                self.pairs::<N, T, _, _>(blocks, forces, constants, extras, loads)
+                self.pairs::<N, T, _, _>(blocks, springs, constants, extras, loads)
             }
-            None => self.pairs::<N, T, _, _>(blocks, forces, constants, NoExtras, loads),
+            None => self.pairs::<N, T, _, _>(blocks, springs, constants, NoExtras, loads),
         }
     }
 
     fn pairs<N: Normal<3>, T: Tangential, C: PairConstants, X: ExtraForces>(
         &self,
         blocks: &[PairBlock],
-        springs: &mut [SpringBlock],
+        (springs, annuli): (&mut [SpringBlock], &mut [AnnuliBlock]),
         constants: C,
         extras: X,
         loads: &mut [Row8],
@@ -130,6 +135,7 @@ impl Kernels<'_> {
             motions: self.motions,
             blocks,
             springs,
+            annuli,
             constants,
             extras,
             loads,
@@ -141,20 +147,21 @@ impl Kernels<'_> {
 
     fn planes_by_law<N: Normal<3>, T: Tangential>(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) {
         let NearPlanes { blocks, springs, constants, extras, .. } = &mut chunk.planes;
-        let Springs { forces, torques } = springs;
+        let Springs { forces, torques, annuli } = springs;
+        let springs = (forces.as_mut_slice(), annuli.as_mut_slice());
         let laws = self.extras;
         if laws.any() {
             let extras = ChosenExtras { laws, constants: extras, torques };
-            self.planes::<N, T, _>(blocks, forces, constants, extras, loads);
+            self.planes::<N, T, _>(blocks, springs, constants, extras, loads);
         } else {
-            self.planes::<N, T, _>(blocks, forces, constants, NoExtras, loads);
+            self.planes::<N, T, _>(blocks, springs, constants, NoExtras, loads);
         }
     }
 
     fn planes<N: Normal<3>, T: Tangential, X: ExtraForces>(
         &self,
         blocks: &[PlaneBlock],
-        springs: &mut [SpringBlock],
+        (springs, annuli): (&mut [SpringBlock], &mut [AnnuliBlock]),
         constants: &[ConstantsBlock],
         extras: X,
         loads: &mut ChunkLoads,
@@ -165,6 +172,7 @@ impl Kernels<'_> {
             planes: self.planes,
             blocks,
             springs,
+            annuli,
             constants,
             extras,
             loads: &mut loads.slots,

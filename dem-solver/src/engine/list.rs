@@ -95,16 +95,16 @@ impl ContactList {
         let (mut pairs, mut on_planes, mut on_walls) = (Vec::new(), Vec::new(), Vec::new());
         for chunk in &mut self.chunks {
             chunk.stow();
-            pairs.extend(chunk.remembered.iter().filter_map(|&Remembered { i, j, spring }| {
+            pairs.extend(chunk.remembered.drain(..).filter_map(|Remembered { i, j, spring }| {
                 let (i, j) = (new_row[i as usize]?, new_row[j as usize]?);
                 let spring = if i < j { spring } else { spring.reversed() };
                 Some(Remembered { i: i.min(j), j: i.max(j), spring })
             }));
-            on_planes.extend(chunk.plane_springs.iter().filter_map(|contact| {
-                Some(PlaneSpring { grain: new_row[contact.grain as usize]?, ..*contact })
+            on_planes.extend(chunk.plane_springs.drain(..).filter_map(|contact| {
+                Some(PlaneSpring { grain: new_row[contact.grain as usize]?, ..contact })
             }));
-            on_walls.extend(chunk.wall_contacts.iter().filter_map(|contact| {
-                Some(WallContact { grain: new_row[contact.grain as usize]?, ..*contact })
+            on_walls.extend(chunk.wall_contacts.drain(..).filter_map(|contact| {
+                Some(WallContact { grain: new_row[contact.grain as usize]?, ..contact })
             }));
         }
         pairs.sort_unstable_by_key(|entry| (entry.i, entry.j));

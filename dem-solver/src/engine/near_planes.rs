@@ -2,7 +2,7 @@
 
 use super::block::{ConstantsBlock, ExtrasBlock, PlaneBlock, WIDTH};
 use super::springs::{Memory, Springs};
-use crate::contact::{Coefficients, ExtraConstants, Spring};
+use crate::contact::{Coefficients, ExtraConstants, History};
 use crate::grains::Place;
 use crate::lanes::Row4;
 use crate::scene::Scene;
@@ -91,14 +91,14 @@ pub struct NearPlanes {
 }
 
 /// A grain, a plane, and the spring between them.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PlaneSpring {
     /// Row of the grain.
     pub grain: u32,
     /// Index of the plane.
     pub plane: u32,
-    /// The spring.
-    pub spring: Spring,
+    /// The spring, and all the contact remembers besides.
+    pub spring: History,
 }
 
 /// A grain near a plane.
@@ -127,7 +127,7 @@ impl NearPlanes {
     }
 
     /// The springs of all contacts, if they remember.
-    pub fn all_springs(&self) -> impl Iterator<Item = Spring> {
+    pub fn all_springs(&self) -> impl Iterator<Item = History> {
         let count = if self.springs.is_empty() { 0 } else { self.count };
         (0..count).map(|k| self.springs.get(k))
     }
@@ -147,7 +147,7 @@ impl NearPlanes {
     }
 
     /// Appends a contact of a chunk that begins at row `first`; `spring` is what it remembers, if it remembers.
-    pub fn push(&mut self, near: &NearPlane, first: u32, far_plane: u32, spring: &Spring, memory: Memory) {
+    pub fn push(&mut self, near: &NearPlane, first: u32, far_plane: u32, spring: &History, memory: Memory) {
         let (block, lane) = (self.count / WIDTH, self.count % WIDTH);
         if lane == 0 {
             let (grain, plane) = ([first; WIDTH], [far_plane; WIDTH]);

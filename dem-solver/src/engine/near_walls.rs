@@ -5,7 +5,7 @@ use super::constants::extras_on_wall;
 use super::near_planes::{NearPlane, NearPlanes, PlaneSpring, Planes};
 use super::springs::Memory;
 use super::wall_contact::{Candidate, WallContact};
-use crate::contact::{ExtraConstants, Spring};
+use crate::contact::{ExtraConstants, History};
 use crate::domain::Image;
 use crate::grains::Grains;
 use crate::scene::Scene;
@@ -80,14 +80,14 @@ fn push_plane<const D: usize>(
 }
 
 /// The spring of the contact of a grain with a wall that has nearly this normal, among the grain's contacts.
-pub fn inherited(of_grain: &[WallContact], wall: u32, normal: &Spin) -> Spring {
+pub fn inherited(of_grain: &[WallContact], wall: u32, normal: &Spin) -> History {
     of_grain
         .iter()
         .filter(|contact| contact.wall == wall)
-        .map(|contact| (contact.normal.dot(normal), contact.spring))
+        .map(|contact| (contact.normal.dot(normal), &contact.spring))
         .filter(|(alignment, _)| *alignment > SAME_CONTACT)
         .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map_or(Spring::relaxed(), |(_, spring)| spring)
+        .map_or(History::none(), |(_, spring)| spring.clone())
 }
 
 fn surfaces_near<const D: usize>(

@@ -2,13 +2,13 @@
 
 use std::marker::PhantomData;
 
-use super::block::{PairBlock, SpringBlock, WIDTH};
+use super::block::{AnnuliBlock, PairBlock, SpringBlock, WIDTH};
 use super::constants::PairConstants;
 use super::extras::ExtraForces;
 use super::periods::Periods;
 use crate::contact::normal::Normal;
 use crate::contact::rolling::Rolling;
-use crate::contact::tangential::{Spring, Tangential};
+use crate::contact::tangential::{Annuli, Spring, Tangential};
 use crate::contact::{COINCIDENT, Response, Touch, touch_force};
 use crate::lanes::{Kernel, Row4, Row8, RowLanes, Vec3};
 
@@ -22,6 +22,8 @@ pub struct PairForces<'a, N, T, C, X> {
     pub blocks: &'a [PairBlock],
     /// Their springs; empty without friction.
     pub springs: &'a mut [SpringBlock],
+    /// Their annuli; empty unless they slip in part.
+    pub annuli: &'a mut [AnnuliBlock],
     /// Their radii and constants.
     pub constants: C,
     /// Their laws besides normal and tangential force.
@@ -88,6 +90,9 @@ where
             if T::REMEMBERS {
                 self.springs[block].relax::<L>(lane);
             }
+            if T::SLIPS_IN_PART {
+                self.annuli[block].relax::<L>(lane);
+            }
             self.extras.relax::<L>((block, lane));
             return coincident;
         }
@@ -110,14 +115,19 @@ where
         };
         let touch = Touch { normal, overlap, velocity: velocity + turning.cross(normal) };
         let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
+        let mut annuli = if T::SLIPS_IN_PART { self.annuli[block].load(lane) } else { Annuli::relaxed() };
         let coefficients = self.constants.coefficients::<L>(block, lane);
         let (at, step) = ((block, lane), L::splat(self.step));
         let attraction = self.extras.between_spheres(at, (radius_i, radius_j), distance);
+        let memory = (&mut spring, &mut annuli);
         let Response { force, pressing } =
-            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
+            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, memory, step);
         let force = force.only(touching);
         if T::REMEMBERS {
             self.springs[block].store(lane, &spring.only(touching));
+        }
+        if T::SLIPS_IN_PART {
+            self.annuli[block].store(lane, &annuli.only(touching));
         }
         let moment = if T::REMEMBERS { normal.cross(force).only(touching) } else { Vec3::zero() };
         let (mut torque_i, mut torque_j) = (moment * arm_i, moment * arm_j);

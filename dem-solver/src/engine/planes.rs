@@ -2,11 +2,11 @@
 
 use std::marker::PhantomData;
 
-use super::block::{ConstantsBlock, PlaneBlock, SpringBlock, WIDTH};
+use super::block::{AnnuliBlock, ConstantsBlock, PlaneBlock, SpringBlock, WIDTH};
 use super::extras::ExtraForces;
 use crate::contact::normal::Normal;
 use crate::contact::rolling::Rolling;
-use crate::contact::tangential::{Spring, Tangential};
+use crate::contact::tangential::{Annuli, Spring, Tangential};
 use crate::contact::{Response, Touch, touch_force};
 use crate::lanes::{Kernel, Row4, Row8, RowLanes, Vec3};
 
@@ -22,6 +22,8 @@ pub struct PlaneForces<'a, N, T, X> {
     pub blocks: &'a [PlaneBlock],
     /// Their springs; empty without friction.
     pub springs: &'a mut [SpringBlock],
+    /// Their annuli; empty unless they slip in part.
+    pub annuli: &'a mut [AnnuliBlock],
     /// Their constants.
     pub constants: &'a [ConstantsBlock],
     /// Their laws besides normal and tangential force.
@@ -65,6 +67,9 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
             if T::REMEMBERS {
                 self.springs[block].relax::<L>(lane);
             }
+            if T::SLIPS_IN_PART {
+                self.annuli[block].relax::<L>(lane);
+            }
             self.extras.relax::<L>((block, lane));
             return;
         }
@@ -75,14 +80,19 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
         let turning = if T::REMEMBERS { spin * arm } else { Vec3::zero() };
         let touch = Touch { normal, overlap, velocity: velocity + turning.cross(normal) };
         let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
+        let mut annuli = if T::SLIPS_IN_PART { self.annuli[block].load(lane) } else { Annuli::relaxed() };
         let coefficients = self.constants[block].coefficients::<L>(lane);
         let (at, step) = ((block, lane), L::splat(self.step));
         let attraction = self.extras.to_wall(at, radius, distance);
+        let memory = (&mut spring, &mut annuli);
         let Response { force, pressing } =
-            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
+            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, memory, step);
         let force = force.only(touching);
         if T::REMEMBERS {
             self.springs[block].store(lane, &spring.only(touching));
+        }
+        if T::SLIPS_IN_PART {
+            self.annuli[block].store(lane, &annuli.only(touching));
         }
         let mut torque = if T::REMEMBERS { normal.cross(force) * arm } else { Vec3::zero() };
         let point = centre + normal * arm;

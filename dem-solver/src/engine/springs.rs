@@ -1,28 +1,34 @@
 //! What the contacts of a list remember.
 
-use super::block::{SpringBlock, TorqueBlock, WIDTH};
-use crate::contact::Spring;
+use super::block::{AnnuliBlock, SpringBlock, TorqueBlock, WIDTH};
+use crate::contact::{History, NormalLaw, Spring};
 use crate::scene::Scene;
 
-/// How much contacts remember.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Memory {
-    /// Nothing: smooth grains.
-    Nothing,
+/// What contacts remember.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Memory {
     /// Force and stiffness of the tangential spring.
-    Force,
-    /// These, and the torque of the spring against rolling.
-    ForceAndTorque,
+    pub force: bool,
+    /// The torque of the spring against rolling.
+    pub torque: bool,
+    /// Annuli that slip one by one.
+    pub annuli: bool,
 }
 
 impl Memory {
-    /// How much the contacts of a scene remember.
+    /// What the contacts of a scene remember.
     pub fn of<const D: usize>(scene: &Scene<D>) -> Self {
-        match scene.extras.rolling {
-            _ if !scene.materials.rub() => Self::Nothing,
-            Some(law) if law.remembers() => Self::ForceAndTorque,
-            _ => Self::Force,
+        let force = scene.materials.rub();
+        Self {
+            force,
+            torque: force && scene.extras.rolling.is_some_and(|law| law.remembers()),
+            annuli: force && matches!(scene.normal_law, NormalLaw::HertzPartialSlip(_)),
         }
+    }
+
+    /// Whether they remember anything.
+    pub fn any(self) -> bool {
+        self != Self::default()
     }
 }
 
@@ -33,6 +39,8 @@ pub struct Springs {
     pub forces: Vec<SpringBlock>,
     /// What the springs against rolling hold; empty without them.
     pub torques: Vec<TorqueBlock>,
+    /// Their annuli; empty unless contacts slip in part.
+    pub annuli: Vec<AnnuliBlock>,
 }
 
 impl Springs {
@@ -45,11 +53,14 @@ impl Springs {
 
     /// Appends a block of relaxed springs.
     pub fn push_block(&mut self, memory: Memory) {
-        if memory != Memory::Nothing {
+        if memory.force {
             self.forces.push(SpringBlock::default());
         }
-        if memory == Memory::ForceAndTorque {
+        if memory.torque {
             self.torques.push(TorqueBlock::default());
+        }
+        if memory.annuli {
+            self.annuli.push(AnnuliBlock::default());
         }
     }
 
@@ -59,40 +70,50 @@ impl Springs {
     }
 
     /// The spring of a contact; relaxed if contacts remember nothing.
-    pub fn get(&self, contact: usize) -> Spring {
+    pub fn get(&self, contact: usize) -> History {
         let (block, lane) = (contact / WIDTH, contact % WIDTH);
         let mut spring = self.forces.get(block).map_or(Spring::relaxed(), |forces| forces.load(lane));
         if let Some(torques) = self.torques.get(block) {
             spring.torque = torques.load(lane);
         }
-        spring
+        let annuli = self.annuli.get(block).map(|annuli| Box::new(annuli.load(lane)));
+        History { spring, annuli }
     }
 
     /// Sets the spring of a contact, if contacts remember.
-    pub fn set(&mut self, contact: usize, spring: &Spring) {
+    pub fn set(&mut self, contact: usize, history: &History) {
         let (block, lane) = (contact / WIDTH, contact % WIDTH);
+        let History { spring, annuli } = history;
         if let Some(forces) = self.forces.get_mut(block) {
             forces.store(lane, spring);
         }
         if let Some(torques) = self.torques.get_mut(block) {
             torques.store(lane, spring.torque);
         }
+        if let (Some(blocks), Some(annuli)) = (self.annuli.get_mut(block), annuli) {
+            blocks.store(lane, annuli);
+        }
     }
 
     /// Energy of all tangential springs \[J\].
     pub fn energy(&self) -> f64 {
-        self.forces.iter().map(SpringBlock::energy).sum()
+        if self.annuli.is_empty() {
+            return self.forces.iter().map(SpringBlock::energy).sum();
+        }
+        (0..self.annuli.len() * WIDTH).map(|contact| self.get(contact).energy()).sum()
     }
 
     /// Forgets all.
     pub fn clear(&mut self) {
         self.forces.clear();
         self.torques.clear();
+        self.annuli.clear();
     }
 
     /// Copies `other` into memory that is already here.
     pub fn copy_from(&mut self, other: &Self) {
         self.forces.clone_from(&other.forces);
         self.torques.clone_from(&other.torques);
+        self.annuli.clone_from(&other.annuli);
     }
 }

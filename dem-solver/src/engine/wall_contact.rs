@@ -1,6 +1,6 @@
 //! Grains near walls, one by one: all but those that only planes at rest are near.
 
-use crate::contact::{Coefficients, Spring};
+use crate::contact::{Coefficients, History};
 use crate::domain::Image;
 use crate::vector::Spin;
 
@@ -18,7 +18,7 @@ pub struct Candidate {
 }
 
 /// A grain that touched a wall in the last step.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct WallContact {
     /// Row of the grain.
     pub grain: u32,
@@ -26,6 +26,6 @@ pub struct WallContact {
     pub wall: u32,
     /// Unit normal, from the grain to the wall.
     pub normal: Spin,
-    /// The tangential spring.
-    pub spring: Spring,
+    /// The tangential spring, and all the contact remembers besides.
+    pub spring: History,
 }

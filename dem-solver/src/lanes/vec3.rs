@@ -57,6 +57,12 @@ impl<L: Lanes> Vec3<L> {
         Self::new(self.x.only(mask), self.y.only(mask), self.z.only(mask))
     }
 
+    /// `yes` where the mask holds, else `no`.
+    #[inline(always)]
+    pub fn select(mask: L::Mask, yes: Self, no: Self) -> Self {
+        Self::new(L::select(mask, yes.x, no.x), L::select(mask, yes.y, no.y), L::select(mask, yes.z, no.z))
+    }
+
     /// The first components of three slices.
     #[inline(always)]
     pub fn load(x: &[f64], y: &[f64], z: &[f64]) -> Self {

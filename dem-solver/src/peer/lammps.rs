@@ -98,7 +98,9 @@ struct Contacts<'a> {
 impl<'a> Contacts<'a> {
     fn new(case: &Case, task: &'a Task) -> Result<Self, CaseError> {
         match task.scene.normal_law {
-            NormalLaw::Hertz(_) | NormalLaw::LiggghtsHertz(_) => return Ok(Self { task, linear: None }),
+            NormalLaw::Hertz(_) | NormalLaw::HertzPartialSlip(_) | NormalLaw::LiggghtsHertz(_) => {
+                return Ok(Self { task, linear: None });
+            }
             NormalLaw::Hooke(_) | NormalLaw::LiggghtsHooke(_) => {}
             _ => {
                 let allowed = "hertz, hooke, liggghts-hertz, liggghts-hooke";

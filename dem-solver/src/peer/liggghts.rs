@@ -125,7 +125,9 @@ fn refuse_values(case: &Case) -> Result<(), CaseError> {
 fn model(case: &Case, law: &NormalLaw) -> Result<&'static str, CaseError> {
     match law {
         NormalLaw::Hooke(_) | NormalLaw::LiggghtsHooke(_) => Ok("model hooke tangential history"),
-        NormalLaw::Hertz(_) | NormalLaw::LiggghtsHertz(_) => Ok("model hertz tangential history"),
+        NormalLaw::Hertz(_) | NormalLaw::HertzPartialSlip(_) | NormalLaw::LiggghtsHertz(_) => {
+            Ok("model hertz tangential history")
+        }
         _ => {
             let allowed = "hertz, hooke, liggghts-hertz, liggghts-hooke";
             Err(case.error("grains.normal-law", "LIGGGHTS has nothing like it", allowed, ""))

@@ -48,7 +48,10 @@ impl Peer for Yade {
     }
 
     fn deck(&self, case: &Case, task: &Task, recording: Option<Recording>) -> Result<Vec<File>, CaseError> {
-        if !matches!(task.scene.normal_law, NormalLaw::Hertz(_) | NormalLaw::LiggghtsHertz(_)) {
+        if !matches!(
+            task.scene.normal_law,
+            NormalLaw::Hertz(_) | NormalLaw::HertzPartialSlip(_) | NormalLaw::LiggghtsHertz(_)
+        ) {
             let found = "YADE has no law of this stiffness and restitution";
             return Err(case.error(
                 "grains.normal-law",

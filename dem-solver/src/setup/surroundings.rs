@@ -8,7 +8,7 @@ use super::bonds::laws;
 use super::deletion::deletions;
 use super::walls::walls;
 use crate::contact::cohesion::CohesionLaw;
-use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke};
+use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Onate};
 use crate::contact::rolling::RollingLaw;
 use crate::contact::{Extras, NormalLaw};
 use crate::domain::Domain;
@@ -34,7 +34,13 @@ pub fn scene<const D: usize>(
     };
     let normal_law = match grains.normal_law {
         document::NormalLaw::None => NormalLaw::None,
-        document::NormalLaw::Hertz => NormalLaw::Hertz(Hertz { depth }),
+        document::NormalLaw::Hertz => match grains.tangential_law {
+            None | Some(document::TangentialLaw::Coulomb) => NormalLaw::Hertz(Hertz { depth }),
+            Some(document::TangentialLaw::PartialSlip) => NormalLaw::HertzPartialSlip(Hertz { depth }),
+        },
+        document::NormalLaw::Onate => {
+            NormalLaw::Onate(Onate { area_factor: grains.area_factor.unwrap_or(1.0), depth })
+        }
         document::NormalLaw::LiggghtsHertz => NormalLaw::LiggghtsHertz(LiggghtsHertz),
         document::NormalLaw::Hooke => {
             NormalLaw::Hooke(Hooke { characteristic_velocity: characteristic_velocity()?, depth })
@@ -104,7 +110,8 @@ fn materials(case: &Case, touch: bool) -> Result<Materials, CaseError> {
         of.rolling_damping_ratio = pair.rolling_damping_ratio.unwrap_or(0.0);
         of.cohesion_energy_density = pair.cohesion_energy_density.map_or(0.0, |density| density.si());
     };
-    Ok(Materials::new(list.collect::<Result<_, CaseError>>()?, pair).with(more))
+    let micro = |index: usize| document.materials[names[index]].micro;
+    Ok(Materials::new(list.collect::<Result<_, CaseError>>()?, pair).with(more).with_micro(micro))
 }
 
 fn extras(grains: &document::Grains) -> Extras {

@@ -1,24 +1,28 @@
 //! The laws that are tried, and scenes with them.
 
 use crate::contact::NormalLaw;
-use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke};
+use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Onate};
 use crate::material::{Material, Materials};
 use crate::scene::Scene;
 
 /// The laws that keep to a stated restitution.
-pub fn own() -> [(&'static str, NormalLaw); 2] {
+pub fn own() -> [(&'static str, NormalLaw); 4] {
     [
         ("hertz", NormalLaw::Hertz(Hertz { depth: 1.0 })),
+        ("hertz, partial-slip", NormalLaw::HertzPartialSlip(Hertz { depth: 1.0 })),
         ("hooke", NormalLaw::Hooke(Hooke { characteristic_velocity: 1.0, depth: 1.0 })),
+        ("onate", NormalLaw::Onate(Onate { area_factor: 1.0, depth: 1.0 })),
     ]
 }
 
 /// All laws under which grains touch.
-pub fn all() -> [(&'static str, NormalLaw); 4] {
-    let [hertz, hooke] = own();
+pub fn all() -> [(&'static str, NormalLaw); 6] {
+    let [hertz, partial_slip, hooke, onate] = own();
     [
         hertz,
+        partial_slip,
         hooke,
+        onate,
         ("liggghts-hertz", NormalLaw::LiggghtsHertz(LiggghtsHertz)),
         ("liggghts-hooke", NormalLaw::LiggghtsHooke(LiggghtsHooke { characteristic_velocity: 1.0 })),
     ]

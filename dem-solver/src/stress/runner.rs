@@ -57,11 +57,10 @@ impl Runner {
     /// Kinetic energy \[J\].
     pub fn kinetic_energy(&self) -> f64 {
         let moving = self.world.grains.motion.iter().filter(|motion| !motion.is_frozen());
-        let twice = moving.map(|motion| {
-            motion.velocity.norm_squared() / motion.inverse_mass
-                + motion.angular_velocity.norm_squared() / motion.inverse_inertia
+        let each = moving.map(|motion| {
+            0.5 * motion.velocity.norm_squared() / motion.inverse_mass + motion.rotational_energy()
         });
-        0.5 * twice.sum::<f64>()
+        each.sum()
     }
 
     /// Kinetic, stored and potential energy \[J\].

@@ -55,7 +55,7 @@ fn published(text: &str, degrees: f64) -> Option<[f64; 2]> {
     Some([lowest - error, highest + error])
 }
 
-/// At 8 to 11° the own law, which has no partial slip, gives up to 0.012 more tangential restitution and 5 rad/s less spin
+/// At 8 to 11° Coulomb's law, which knows no partial slip, gives up to 0.012 more tangential restitution and 5 rad/s less spin
 /// than the published curves.
 #[test]
 fn from_12_degrees_on_restitution_spin_and_rebound_are_within_the_published_curves() {

@@ -30,6 +30,11 @@ impl Curve {
         Some(y0 + (x - x0) / (x1 - x0) * (y1 - y0))
     }
 
+    /// The points up to this x.
+    pub fn up_to(&self, x: f64) -> Vec<(f64, f64)> {
+        self.0.iter().copied().filter(|point| point.0 <= x).collect()
+    }
+
     /// Largest less smallest y.
     pub fn span(&self) -> f64 {
         let fold = |join: fn(f64, f64) -> f64| self.0.iter().map(|point| point.1).reduce(join).unwrap();

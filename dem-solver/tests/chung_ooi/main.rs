@@ -8,5 +8,6 @@ mod constant_speed;
 mod curve;
 mod impact;
 mod normal;
+mod partial_slip;
 mod spinning;
 mod spinning_pairs;

@@ -3,7 +3,7 @@
 use dem_solver::lanes::Backend;
 use dem_solver::{Scene, Workspace, World, turn_over, window};
 
-use super::scenes::{HERTZ, HOOKE, STEP, boxed, periodic, sticky};
+use super::scenes::{HERTZ, HOOKE, PARTIAL_SLIP, STEP, boxed, periodic, sticky};
 
 /// The world after some windows.
 fn end((scene, world): &(Scene<3>, World<3>), backend: Backend, threads: usize) -> World<3> {
@@ -29,6 +29,8 @@ fn every_set_of_lanes_computes_the_same_bits() {
         boxed(5, false, HOOKE, 0.5),
         boxed(5, false, HERTZ, 0.0),
         boxed(5, true, HOOKE, 0.0),
+        boxed(5, false, PARTIAL_SLIP, 0.5),
+        boxed(5, true, PARTIAL_SLIP, 0.5),
         periodic(6, false),
         periodic(6, true),
         sticky(5, false),
@@ -45,7 +47,12 @@ fn every_set_of_lanes_computes_the_same_bits() {
 
 #[test]
 fn two_and_four_threads_compute_the_same_bits_as_one() {
-    for scene in [boxed(30, true, HERTZ, 0.5), periodic(30, false), sticky(30, true)] {
+    for scene in [
+        boxed(30, true, HERTZ, 0.5),
+        boxed(30, true, PARTIAL_SLIP, 0.5),
+        periodic(30, false),
+        sticky(30, true),
+    ] {
         let one = end(&scene, Backend::best(), 1);
         assert!(end(&scene, Backend::best(), 2) == one);
         assert!(end(&scene, Backend::best(), 4) == one);

@@ -1,13 +1,13 @@
 //! Against a reference that tries every pair in every step: no cells, no lists, no chunks, no lanes.
 
 use dem_solver::contact::normal::{Hertz, Hooke, Normal};
-use dem_solver::contact::tangential::{Coulomb, Frictionless, Tangential};
-use dem_solver::contact::{Coefficients, Spring, Touch, touch_force};
+use dem_solver::contact::tangential::{Coulomb, Frictionless, PartialSlip, Tangential};
+use dem_solver::contact::{Annuli, Coefficients, Spring, Touch, touch_force};
 use dem_solver::lanes::Vec3;
 use dem_solver::wall::Shape;
 use dem_solver::{Grains, Scene, Vector, Workspace, World, window};
 
-use super::scenes::{HERTZ, HOOKE, STEP, boxed, periodic};
+use super::scenes::{HERTZ, HOOKE, PARTIAL_SLIP, STEP, boxed, periodic};
 
 const STEPS: u32 = 150;
 
@@ -15,11 +15,18 @@ fn vec3(v: &Vector<3>) -> Vec3<f64> {
     Vec3::new(v.x, v.y, v.z)
 }
 
+/// What a contact remembers.
+type History = (Spring, Annuli);
+
+fn relaxed() -> History {
+    (Spring::relaxed(), Annuli::relaxed())
+}
+
 struct Reference<'a> {
     scene: &'a Scene<3>,
     grains: Grains,
     /// Springs of each grain with each grain, then with each wall.
-    springs: Vec<Vec<Spring>>,
+    springs: Vec<Vec<History>>,
 }
 
 impl Reference<'_> {
@@ -36,7 +43,7 @@ impl Reference<'_> {
                 let (a, b) = (self.grains.place[i].radius, self.grains.place[j].radius);
                 let overlap = a + b - separation.norm();
                 if overlap <= 0.0 {
-                    self.springs[i][j] = Spring::relaxed();
+                    self.springs[i][j] = relaxed();
                     continue;
                 }
                 let normal = separation.normalize();
@@ -63,7 +70,7 @@ impl Reference<'_> {
                 let distance = (self.grains.place[i].centre - plane.point).dot(&plane.normal);
                 let spring = &mut self.springs[i][count + k];
                 if distance >= radius {
-                    *spring = Spring::relaxed();
+                    *spring = relaxed();
                     continue;
                 }
                 let arm = -plane.normal * arm::<N>(radius, radius - distance, f64::INFINITY);
@@ -97,17 +104,18 @@ fn force<N: Normal<3>, T: Tangential>(
     normal: &Vector<3>,
     overlap: f64,
     velocity: &Vector<3>,
-    spring: &mut Spring,
+    history: &mut History,
 ) -> Vector<3> {
     let touch = Touch { normal: vec3(normal), overlap, velocity: vec3(velocity) };
-    let force = touch_force::<3, N, T, f64>(constants, &touch, 0.0, spring, STEP).force;
+    let force =
+        touch_force::<3, N, T, f64>(constants, &touch, 0.0, (&mut history.0, &mut history.1), STEP).force;
     Vector::from([force.x, force.y, force.z])
 }
 
 /// Holds the engine against the reference: velocities, spins and places to `within` of the largest change.
 fn check<N: Normal<3>, T: Tangential>((scene, start): (Scene<3>, World<3>), within: f64) {
     let grains = &start.grains;
-    let springs = vec![vec![Spring::relaxed(); grains.len() + scene.walls.surfaces.len()]; grains.len()];
+    let springs = vec![vec![relaxed(); grains.len() + scene.walls.surfaces.len()]; grains.len()];
     let mut reference = Reference { scene: &scene, grains: grains.clone(), springs };
     for place in 0..grains.len() {
         let half = reference.grains.motion[place].velocity * (0.5 * STEP);
@@ -160,6 +168,7 @@ fn like_grains_in_a_box_move_as_the_reference_says() {
 #[test]
 fn mixed_and_frozen_grains_in_a_box_move_as_the_reference_says() {
     check::<Hertz, Coulomb>(boxed(3, true, HERTZ, 0.5), 1e-11);
+    check::<Hertz, PartialSlip>(boxed(3, true, PARTIAL_SLIP, 0.5), 1e-11);
 }
 
 #[test]

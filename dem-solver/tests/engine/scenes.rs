@@ -11,6 +11,7 @@ pub const STEP: f64 = 2e-6;
 const RADIUS: f64 = 1e-3;
 
 pub const HERTZ: NormalLaw = NormalLaw::Hertz(Hertz { depth: 1.0 });
+pub const PARTIAL_SLIP: NormalLaw = NormalLaw::HertzPartialSlip(Hertz { depth: 1.0 });
 pub const HOOKE: NormalLaw = NormalLaw::Hooke(Hooke { characteristic_velocity: 1.0, depth: 1.0 });
 
 fn materials(friction: f64) -> Materials {

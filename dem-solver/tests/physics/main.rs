@@ -11,6 +11,7 @@ mod inserting;
 mod liggghts;
 mod liggghts_extras;
 mod limits;
+mod micro;
 mod moving_walls;
 mod rest;
 mod restitution;

@@ -127,7 +127,7 @@ fn a_resumed_world_still_holds_its_torques() {
             .planes
             .all_springs()
             .chain(chunk.inner.all_springs())
-            .map(|spring| spring.torque.norm_squared())
+            .map(|spring| spring.spring.torque.norm_squared())
             .sum::<f64>()
     };
     assert!(held(&through) > 0.0 && held(&resumed) == held(&through));

@@ -1,7 +1,7 @@
 //! Small scenes that several claims share.
 
 use dem_solver::contact::NormalLaw;
-use dem_solver::contact::normal::{Hertz, Hooke};
+use dem_solver::contact::normal::{Hertz, Hooke, Onate};
 use dem_solver::wall::{Wall, Walls};
 use dem_solver::{DemError, Domain, Grain, Ledger, Material, Materials, Scene, Workspace, World, window};
 
@@ -14,6 +14,14 @@ pub fn glass(restitution: f64, sliding_friction: f64) -> Materials {
 
 pub fn hertz() -> NormalLaw {
     NormalLaw::Hertz(Hertz { depth: 1.0 })
+}
+
+pub fn partial_slip() -> NormalLaw {
+    NormalLaw::HertzPartialSlip(Hertz { depth: 1.0 })
+}
+
+pub fn onate() -> NormalLaw {
+    NormalLaw::Onate(Onate { area_factor: 1.0, depth: 1.0 })
 }
 
 pub fn hooke() -> NormalLaw {
@@ -62,10 +70,5 @@ pub fn gas(law: NormalLaw, restitution: f64, friction: f64, side: f64) -> (Scene
 /// Translational and rotational energy of all grains.
 pub fn kinetic_energy<const D: usize>(world: &World<D>) -> f64 {
     let motions = world.grains.motion.iter();
-    motions
-        .map(|m| {
-            0.5 * (m.velocity.norm_squared() / m.inverse_mass
-                + m.angular_velocity.norm_squared() / m.inverse_inertia)
-        })
-        .sum()
+    motions.map(|m| 0.5 * m.velocity.norm_squared() / m.inverse_mass + m.rotational_energy()).sum()
 }

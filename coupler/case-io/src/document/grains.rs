@@ -14,6 +14,10 @@ pub struct Grains {
     pub normal_law: NormalLaw,
     /// Velocity from which the stiffness of a linear law is found (`hooke` and `liggghts-hooke` only).
     pub characteristic_velocity: Option<Velocity>,
+    /// Law of the tangential contact force (`hooke`, `hertz` and `onate` only); default `coulomb`.
+    pub tangential_law: Option<TangentialLaw>,
+    /// Effective area of a contact over that of a circle of the grains' geometric mean radius; default 1 (`onate` only).
+    pub area_factor: Option<f64>,
     /// Law of the torque that resists rolling; default: nothing does.
     pub rolling_law: Option<RollingLaw>,
     /// Law of the cohesion of bodies that touch; default: they do not cohere.
@@ -43,12 +47,25 @@ pub enum NormalLaw {
     Hooke,
     /// Hertz's force with a dashpot that gives the stated restitution.
     Hertz,
+    /// Linear contact as stiff as a bar between the centres, of Oñate and co-workers, with a dashpot that gives the stated
+    /// restitution.
+    Onate,
     /// LIGGGHTS 3.8.0, `model hooke tangential history` (3D).
     LiggghtsHooke,
     /// LIGGGHTS 3.8.0, `model hertz tangential history` (3D).
     LiggghtsHertz,
     /// No contact at all.
     None,
+}
+
+/// Law of the tangential contact force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TangentialLaw {
+    /// Spring and dashpot up to Coulomb's limit: the whole contact sticks or slips.
+    Coulomb,
+    /// Mindlin & Deresiewicz's contact, which slips from its edge inwards (with `hertz`, 3D).
+    PartialSlip,
 }
 
 /// Law of the torque that resists rolling, as LIGGGHTS 3.8.0 has it.

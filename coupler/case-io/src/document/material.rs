@@ -15,6 +15,10 @@ pub struct Material {
     pub youngs_modulus: Option<Pressure>,
     /// Poisson's ratio ν, in (-1, 0.5] (needed where contacts are possible).
     pub poissons_ratio: Option<f64>,
+    /// Whether its grains are micro grains, which do not turn and bear no tangential force: the friction of its pairs
+    /// must be 0.
+    #[serde(default)]
+    pub micro: bool,
 }
 
 /// `[pairs.NAME-NAME]`, the names in either order.

@@ -30,6 +30,8 @@ pub struct Hertz {
 const FRACTION_OF_RAYLEIGH: f64 = 0.4;
 
 impl<const D: usize> Normal<D> for Hertz {
+    const ENDS_STIFF: bool = D == 2;
+
     #[inline]
     fn coefficients(&self, pair: &PairMaterial, effective_radius: f64, effective_mass: f64) -> Coefficients {
         let (normal, tangential, normal_slope, tuning) = if D == 2 {

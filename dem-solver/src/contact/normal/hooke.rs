@@ -28,6 +28,8 @@ pub struct Hooke {
 }
 
 impl<const D: usize> Normal<D> for Hooke {
+    const ENDS_STIFF: bool = true;
+
     #[inline]
     fn coefficients(&self, pair: &PairMaterial, effective_radius: f64, effective_mass: f64) -> Coefficients {
         let stiffness = if D == 2 {

@@ -25,6 +25,8 @@ pub struct LiggghtsHertz;
 const HERTZ: Hertz = Hertz { depth: 1.0 };
 
 impl<const D: usize> Normal<D> for LiggghtsHertz {
+    const ENDS_STIFF: bool = D == 2;
+
     fn coefficients(&self, pair: &PairMaterial, effective_radius: f64, effective_mass: f64) -> Coefficients {
         let damping_ratio = pulling_damping_ratio(pair.restitution);
         let pair = PairMaterial { damping_ratio, ..*pair };

@@ -23,6 +23,8 @@ pub struct LiggghtsHooke {
 }
 
 impl<const D: usize> Normal<D> for LiggghtsHooke {
+    const ENDS_STIFF: bool = true;
+
     fn coefficients(&self, pair: &PairMaterial, effective_radius: f64, effective_mass: f64) -> Coefficients {
         let hertz = 16.0 / 15.0 * effective_radius.sqrt() * pair.effective_modulus;
         let stiffness = hertz * (effective_mass * self.characteristic_velocity.powi(2) / hertz).powf(0.2);

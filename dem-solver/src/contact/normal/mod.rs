@@ -5,6 +5,7 @@ mod hooke;
 mod liggghts;
 mod liggghts_hertz;
 mod liggghts_hooke;
+mod onate;
 mod push;
 
 use super::coefficients::{Coefficients, Growth};
@@ -17,11 +18,15 @@ pub use hertz::Hertz;
 pub use hooke::Hooke;
 pub use liggghts_hertz::LiggghtsHertz;
 pub use liggghts_hooke::LiggghtsHooke;
+pub use onate::Onate;
 
 /// A law for the normal force of two bodies in contact,
 ///
 /// F_n = k(δ) δ + c(δ) δ',  δ overlap, δ' its rate, k(δ) = k₁ s(δ), c(δ) = c₁ √s(δ) in [`Growth`].
 pub trait Normal<const D: usize>: Copy + Send + Sync {
+    /// Whether the contact is stiff up to its end: k(δ) does not vanish with δ.
+    const ENDS_STIFF: bool;
+
     /// The constants of two bodies of effective radius R* \[m\] and effective mass m* \[kg\].
     fn coefficients(&self, pair: &PairMaterial, effective_radius: f64, effective_mass: f64) -> Coefficients;
 
@@ -71,6 +76,11 @@ pub enum NormalLaw {
     Hooke(Hooke),
     /// `"hertz"`: [`Hertz`].
     Hertz(Hertz),
+    /// `"hertz"` with `tangential-law = "partial-slip"`: [`Hertz`] of spheres, with
+    /// [`crate::contact::tangential::PartialSlip`].
+    HertzPartialSlip(Hertz),
+    /// `"onate"`: [`Onate`].
+    Onate(Onate),
     /// `"liggghts-hooke"`: [`LiggghtsHooke`], with [`crate::contact::tangential::LiggghtsHistory`].
     LiggghtsHooke(LiggghtsHooke),
     /// `"liggghts-hertz"`: [`LiggghtsHertz`], with [`crate::contact::tangential::LiggghtsHistory`].

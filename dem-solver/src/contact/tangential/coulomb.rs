@@ -1,6 +1,6 @@
 //! Spring and dashpot up to Coulomb's limit.
 
-use super::{Sliding, Spring, Tangential, shortened};
+use super::{Annuli, Sliding, Spring, Tangential, shortened};
 use crate::contact::coefficients::{Coefficients, Growth};
 use crate::lanes::{Lanes, Vec3};
 
@@ -12,7 +12,8 @@ use crate::lanes::{Lanes, Vec3};
 ///    energy than was put in); where k_t falls the force falls with it.
 /// 3. s grows by v_t Δt.
 /// 4. Slip: |k_t s| is cut to μ F_n, and after that |F_t| is.
-/// 5. In the last substep of a contact a spring that would swing past its rest before the next is let go of there.
+/// 5. In the last substep of a contact that is stiff up to its end, a spring that would swing past its rest before the
+///    next is let go of there.
 ///
 /// No step makes energy: 1 keeps it, 2 and the first cut lower that of the spring, and the second cut is a
 /// projection on the ball of radius μ F_n that holds k_t s, so that (k_t s + F_t)·v_t ≤ 0. 5: [`let_go`].
@@ -31,6 +32,7 @@ impl Tangential for Coulomb {
         growth: Growth<L>,
         sliding: &Sliding<L>,
         spring: &mut Spring<L>,
+        _: &mut Annuli<L>,
     ) -> Vec3<L> {
         let stiffness = coefficients.tangential_stiffness * growth.stiffness;
         let damping = coefficients.tangential_damping * growth.damping;
@@ -56,7 +58,7 @@ fn carried_over<L: Lanes>(spring: &Spring<L>, normal: Vec3<L>, stiffness: L) -> 
     flat * factor.only(loaded)
 }
 
-/// 1/I of a sphere makes a force at its surface move that 7/2 times as fast as its centre; discs: 3 times.
+/// A force at the surface of a sphere moves that 1 + m r²/I = 7/2 times as much as its centre, of a disc 3 times.
 const SURFACE_OVER_CENTRE: f64 = 3.5;
 
 /// The force f = k_t s in the last substep of a contact, cut so that the bodies gain no energy.
@@ -65,7 +67,8 @@ const SURFACE_OVER_CENTRE: f64 = 3.5;
 /// the last, m the mass of the surfaces that rub. What it holds when the contact ends is lost:
 /// m v'²/2 - E = -θ f·v h + (θ f h)²/(2m) - f·f⁻/(2 k_t) with θ f in place of f and f⁻ = f - k_t v h. With
 /// x = -k_t h v·f/f² and w = k_t h²/m this is at most 0 for θ = 1 where x ≤ 1 - w, and for θ = (1 + x - w)/(2 x) elsewhere:
-/// where f would pull beyond the place at which the spring is at rest.
+/// where f would pull beyond the place at which the spring is at rest. A spring whose stiffness vanishes with the
+/// overlap holds nothing there.
 #[inline(always)]
 fn let_go<L: Lanes>(
     coefficients: &Coefficients<L>,
@@ -73,7 +76,8 @@ fn let_go<L: Lanes>(
     stiffness: L,
     sliding: &Sliding<L>,
 ) -> Vec3<L> {
-    let ends = sliding.overlap_ahead.less(L::splat(0.0));
+    let Some(overlap_ahead) = sliding.overlap_ahead else { return held };
+    let ends = overlap_ahead.less(L::splat(0.0));
     if !L::any(ends) {
         return held;
     }
@@ -106,10 +110,17 @@ mod tests {
             normal: Vec3::new(0.0, 0.0, 1.0),
             velocity: Vec3::new(velocity, 0.0, 0.0),
             limit,
-            overlap_ahead: overlap,
+            overlap_ahead: None,
             step: STEP,
         };
-        Coulomb::force(&steel_on_steel(), <Hertz as Normal<3>>::growth(overlap), &sliding, spring).x
+        Coulomb::force(
+            &steel_on_steel(),
+            <Hertz as Normal<3>>::growth(overlap),
+            &sliding,
+            spring,
+            &mut Annuli::relaxed(),
+        )
+        .x
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Smooth bodies.
 
-use super::{Sliding, Spring, Tangential};
+use super::{Annuli, Sliding, Spring, Tangential};
 use crate::contact::coefficients::{Coefficients, Growth};
 use crate::lanes::{Lanes, Vec3};
 
@@ -12,7 +12,13 @@ impl Tangential for Frictionless {
     const REMEMBERS: bool = false;
 
     #[inline(always)]
-    fn force<L: Lanes>(_: &Coefficients<L>, _: Growth<L>, _: &Sliding<L>, _: &mut Spring<L>) -> Vec3<L> {
+    fn force<L: Lanes>(
+        _: &Coefficients<L>,
+        _: Growth<L>,
+        _: &Sliding<L>,
+        _: &mut Spring<L>,
+        _: &mut Annuli<L>,
+    ) -> Vec3<L> {
         Vec3::zero()
     }
 }

@@ -1,6 +1,6 @@
 //! The tangential force of LIGGGHTS' `tangential history`.
 
-use super::{Sliding, Spring, Tangential, shortened};
+use super::{Annuli, Sliding, Spring, Tangential, shortened};
 use crate::contact::coefficients::{Coefficients, Growth};
 use crate::lanes::{Lanes, Vec3};
 
@@ -22,6 +22,7 @@ impl Tangential for LiggghtsHistory {
         growth: Growth<L>,
         sliding: &Sliding<L>,
         spring: &mut Spring<L>,
+        _: &mut Annuli<L>,
     ) -> Vec3<L> {
         let stiffness = coefficients.tangential_stiffness * growth.stiffness;
         let before = L::select(L::splat(0.0).less(spring.stiffness), spring.stiffness, L::splat(1.0));

@@ -1,15 +1,19 @@
 //! Tangential contact laws.
 
+mod annuli;
 mod coulomb;
 mod frictionless;
 mod liggghts_history;
+mod partial_slip;
 
 use super::coefficients::{Coefficients, Growth};
 use crate::lanes::{Lanes, Vec3};
 
+pub use annuli::{ANNULI, Annuli};
 pub use coulomb::Coulomb;
 pub use frictionless::Frictionless;
 pub use liggghts_history::LiggghtsHistory;
+pub use partial_slip::PartialSlip;
 
 /// Memory of a rubbing contact; all zero before the first touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,8 +71,9 @@ pub struct Sliding<L> {
     pub velocity: Vec3<L>,
     /// Largest force that friction bears, μ |F_n| \[N\].
     pub limit: L,
-    /// Overlap that will be left in the next substep; negative where this is the last one of the contact \[m\].
-    pub overlap_ahead: L,
+    /// Overlap that will be left in the next substep, negative where this is the last one of the contact \[m\]; nothing
+    /// where stiffnesses vanish there.
+    pub overlap_ahead: Option<L>,
     /// Time since the spring was last moved \[s\].
     pub step: L,
 }
@@ -77,13 +82,16 @@ pub struct Sliding<L> {
 pub trait Tangential {
     /// Whether contacts remember a [`Spring`].
     const REMEMBERS: bool;
+    /// Whether they remember [`Annuli`], too.
+    const SLIPS_IN_PART: bool = false;
 
-    /// The force on the first body \[N\]; moves the spring by one step.
+    /// The force on the first body \[N\]; moves the spring, and annuli if there are any, by one step.
     fn force<L: Lanes>(
         coefficients: &Coefficients<L>,
         growth: Growth<L>,
         sliding: &Sliding<L>,
         spring: &mut Spring<L>,
+        annuli: &mut Annuli<L>,
     ) -> Vec3<L>;
 }
 

@@ -2,7 +2,7 @@
 
 use super::rules::Rules;
 use crate::document::quantity::Length;
-use crate::document::{Backend, Document, Grains, MeshSource, NormalLaw, Point};
+use crate::document::{Backend, Document, Grains, MeshSource, NormalLaw, Point, TangentialLaw};
 use crate::error::CaseError;
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
@@ -15,6 +15,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
         NormalLaw::LiggghtsHooke => rules
             .required(key, "the stiffness of \"liggghts-hooke\" is found from it, for example \"1 m/s\"")?,
         NormalLaw::Hertz => rules.no_effect(key, "with normal-law = \"hertz\"")?,
+        NormalLaw::Onate => rules.no_effect(key, "with normal-law = \"onate\"")?,
         NormalLaw::LiggghtsHertz => rules.no_effect(key, "with normal-law = \"liggghts-hertz\"")?,
         NormalLaw::None => rules.no_effect(key, "with normal-law = \"none\"")?,
     }
@@ -22,9 +23,11 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
     if document.case.dimension.count() == 2
         && matches!(grains.normal_law, NormalLaw::LiggghtsHooke | NormalLaw::LiggghtsHertz)
     {
-        let allowed = "\"hooke\", \"hertz\", \"none\"";
+        let allowed = "\"hooke\", \"hertz\", \"onate\", \"none\"";
         return rules.refuse("grains.normal-law", "the laws of LIGGGHTS are for spheres", allowed, "");
     }
+    area_factor(grains, rules)?;
+    tangential(document, grains, rules)?;
     if let Some(domain) = &grains.domain {
         rules.corners("grains.domain", &domain.lower, &domain.upper)?;
     }
@@ -35,6 +38,38 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
     }
     rules.number(key, overlap, (0.0..0.5).contains(&overlap), "from 0, less than 0.5")?;
     periodic(document, grains, rules)
+}
+
+fn area_factor(grains: &Grains, rules: &Rules) -> Result<(), CaseError> {
+    let key = "grains.area-factor";
+    if grains.normal_law != NormalLaw::Onate {
+        rules.no_effect(key, "without normal-law = \"onate\"")?;
+    }
+    let factor = grains.area_factor.unwrap_or(1.0);
+    rules.number(key, factor, factor > 0.0, "more than 0")
+}
+
+/// Laws that have their own tangential law name none, and partial slip is of spheres under Hertz's law.
+fn tangential(document: &Document, grains: &Grains, rules: &Rules) -> Result<(), CaseError> {
+    let key = "grains.tangential-law";
+    match grains.normal_law {
+        NormalLaw::None => rules.no_effect(key, "with normal-law = \"none\"")?,
+        NormalLaw::LiggghtsHooke => rules.no_effect(key, "with normal-law = \"liggghts-hooke\"")?,
+        NormalLaw::LiggghtsHertz => rules.no_effect(key, "with normal-law = \"liggghts-hertz\"")?,
+        NormalLaw::Hooke | NormalLaw::Hertz | NormalLaw::Onate => {}
+    }
+    if document.pairs.values().all(|pair| pair.sliding_friction == 0.0) {
+        rules.no_effect(key, "without sliding friction in any pair")?;
+    }
+    if grains.tangential_law != Some(TangentialLaw::PartialSlip) {
+        return Ok(());
+    }
+    let advice = "take normal-law = \"hertz\"";
+    match grains.normal_law {
+        NormalLaw::Hertz if document.case.dimension.count() == 3 => Ok(()),
+        NormalLaw::Hertz => rules.refuse(key, "\"partial-slip\" is for spheres", "\"coulomb\"", ""),
+        _ => rules.refuse(key, "\"partial-slip\" slips by the pressure of \"hertz\"", "\"coulomb\"", advice),
+    }
 }
 
 /// Grains wrap where the mesh wraps, at the same places.
@@ -101,7 +136,7 @@ mod tests {
                 (
                     "\"hooke\"",
                     "\"herz\"",
-                    "case.toml:23: grains.normal-law: unknown law \"herz\"; allowed: hooke, hertz, liggghts-hooke, liggghts-hertz, none; did you mean \"hertz\"?",
+                    "case.toml:23: grains.normal-law: unknown law \"herz\"; allowed: hooke, hertz, onate, liggghts-hooke, liggghts-hertz, none; did you mean \"hertz\"?",
                 ),
                 (
                     "characteristic-velocity = \"1 m/s\"",
@@ -132,8 +167,65 @@ mod tests {
             &[(
                 "\"hooke\"",
                 "\"liggghts-hooke\"",
-                "case.toml:23: grains.normal-law: the laws of LIGGGHTS are for spheres; allowed: \"hooke\", \"hertz\", \"none\"",
+                "case.toml:23: grains.normal-law: the laws of LIGGGHTS are for spheres; allowed: \"hooke\", \"hertz\", \"onate\", \"none\"",
             )],
+        );
+    }
+
+    #[test]
+    fn partial_slip_is_of_spheres_under_hertzs_law() {
+        let law = |normal: &str, tangential: &str| {
+            format!(
+                "normal-law = \"{normal}\"\ntangential-law = \"{tangential}\"\n[[insertion]]\nname = \"bed\""
+            )
+        };
+        let settling = "normal-law = \"hertz\"\n[[insertion]]\nname = \"bed\"";
+        assert_refusals(
+            SETTLING,
+            &[
+                (
+                    settling,
+                    &law("onate", "partial-slip"),
+                    "case.toml:17: grains.tangential-law: \"partial-slip\" slips by the pressure of \"hertz\"; allowed: \"coulomb\"; take normal-law = \"hertz\"",
+                ),
+                (
+                    settling,
+                    &law("liggghts-hertz", "coulomb"),
+                    "case.toml:17: grains.tangential-law: has no effect with normal-law = \"liggghts-hertz\"; delete it",
+                ),
+                (
+                    settling,
+                    &law("hertz", "partial"),
+                    "case.toml:17: grains.tangential-law: unknown law \"partial\"; allowed: coulomb, partial-slip",
+                ),
+            ],
+        );
+        assert_refusals(
+            DRY,
+            &[(
+                "normal-law = \"hooke\"\ncharacteristic-velocity = \"1 m/s\"",
+                "normal-law = \"hertz\"\ntangential-law = \"partial-slip\"",
+                "case.toml:24: grains.tangential-law: \"partial-slip\" is for spheres; allowed: \"coulomb\"",
+            )],
+        );
+    }
+
+    #[test]
+    fn the_effective_area_is_of_the_law_that_has_one() {
+        assert_refusals(
+            SETTLING,
+            &[
+                (
+                    "[[insertion]]",
+                    "area-factor = 1\n[[insertion]]",
+                    "case.toml:17: grains.area-factor: has no effect without normal-law = \"onate\"; delete it",
+                ),
+                (
+                    "normal-law = \"hertz\"",
+                    "normal-law = \"onate\"\narea-factor = 0",
+                    "case.toml:17: grains.area-factor: found 0; allowed: more than 0",
+                ),
+            ],
         );
     }
 

@@ -29,6 +29,9 @@ fn materials(document: &Document, touching: bool, rules: &Rules) -> Result<(), C
         if !used {
             return rules.refuse(&table, "no insertion and no wall is made of it", "", "delete it");
         }
+        if properties.micro {
+            micro(document, material, &table, rules)?;
+        }
         rules.positive(&format!("{table}.density"), properties.density)?;
         let (modulus, ratio) = (format!("{table}.youngs-modulus"), format!("{table}.poissons-ratio"));
         if touching {
@@ -41,6 +44,25 @@ fn materials(document: &Document, touching: bool, rules: &Rules) -> Result<(), C
         rules.optional_positive(&modulus, properties.youngs_modulus)?;
         let poisson = properties.poissons_ratio.unwrap_or(0.0);
         rules.number(&ratio, poisson, poisson > -1.0 && poisson <= 0.5, "more than -1, at most 0.5")?;
+    }
+    Ok(())
+}
+
+/// Micro grains are grains, and no bond turns them.
+fn micro(document: &Document, material: &str, table: &str, rules: &Rules) -> Result<(), CaseError> {
+    let key = format!("{table}.micro");
+    let of_it = |name: &str| {
+        document.insertion.iter().any(|insertion| insertion.name == name && insertion.material == material)
+    };
+    if document.insertion.iter().all(|insertion| insertion.material != material) {
+        rules.no_effect(&key, "where no insertion is made of it")?;
+    }
+    let bonded = document
+        .bond
+        .iter()
+        .any(|bond| bond.insertions.as_ref().is_none_or(|names| names.iter().any(|name| of_it(name))));
+    if bonded {
+        return rules.refuse(&key, "its grains are bonded, and a bond turns them", "false", "");
     }
     Ok(())
 }
@@ -70,6 +92,15 @@ fn pairs(document: &Document, rules: &Rules) -> Result<(), CaseError> {
         rules.number(&format!("{table}.restitution"), restitution, holds, "more than 0, at most 1")?;
         let friction = properties.sliding_friction;
         rules.number(&format!("{table}.sliding-friction"), friction, friction >= 0.0, "0 or more")?;
+        if let Some(micro) = materials.into_iter().find(|material| document.materials[*material].micro) {
+            let allowed = format!("0, since {micro} is of micro grains, which bear no tangential force");
+            for (key, value) in [
+                ("sliding-friction", friction),
+                ("rolling-friction", properties.rolling_friction.unwrap_or(0.0)),
+            ] {
+                rules.number(&format!("{table}.{key}"), value, value == 0.0, &allowed)?;
+            }
+        }
     }
     for ([one, other], key) in possible {
         if !stated.iter().any(|(_, pair)| *pair == [one, other]) {
@@ -268,6 +299,19 @@ mod tests {
                 "case.toml:10: pairs: has no effect with normal-law = \"none\"; delete it",
             )],
         );
+    }
+
+    #[test]
+    fn micro_grains_rub_on_nothing_and_are_not_bonded() {
+        let micro = "poissons-ratio = 0.3\nmicro = true";
+        let settling = SETTLING.replace("poissons-ratio = 0.3", micro);
+        let message = "case.toml:15: pairs.glass-glass.sliding-friction: found 0.3; allowed: 0, since glass is of micro grains, which bear no tangential force";
+        assert_refusals(SETTLING, &[("poissons-ratio = 0.3", micro, message)]);
+        let smooth = settling.replace("sliding-friction = 0.3", "sliding-friction = 0");
+        assert!(document(&smooth).materials["glass"].micro);
+        let bond = "[[bond]]\nlaw = \"parallel-bond\"\ngap = \"1 mm\"\nyoungs-modulus = \"1 MPa\"\nstiffness-ratio = 2.5\n[fluid]";
+        let message = "case.toml:12: materials.glass.micro: its grains are bonded, and a bond turns them; allowed: false";
+        assert_refusals(&smooth, &[("[fluid]", bond, message)]);
     }
 
     #[test]
