@@ -29,7 +29,7 @@ struct Metadata {
     walls_since: f64,
     slides: Vec<[f64; 3]>,
     rows: u64,
-    torques: bool,
+    spring_width: u64,
     skins: [f64; 3],
     spent: [f64; 3],
     approach: [f64; 5],
@@ -71,7 +71,7 @@ impl<const D: usize> World<D> {
             slides: self.slides.iter().map(|s| [s.displacement, s.velocity, s.listed]).collect(),
             walls_since: self.received.since,
             rows: arrays.rows,
-            torques: arrays.torques,
+            spring_width: arrays.width,
             skins: [skins.outer, skins.inner, skins.walls],
             spent: [spent.outer, spent.inner, spent.walls],
             approach: [approach.between_grains, approach.to_walls, fx, fy, fz],
@@ -205,7 +205,7 @@ fn read_grains<const D: usize>(file: &Checkpoint) -> Result<Option<Grains>, DemE
 fn read_contacts(file: &Checkpoint, metadata: &Metadata) -> Result<ContactArrays, DemError> {
     Ok(ContactArrays {
         rows: metadata.rows,
-        torques: metadata.torques,
+        width: metadata.spring_width,
         outer: file.array("outer pairs")?,
         inner: file.array("inner pairs")?,
         springs: file.array("springs")?,

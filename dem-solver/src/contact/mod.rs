@@ -23,4 +23,4 @@ pub use remembered::Remembered;
 pub use restitution::{damping_ratio, restitution};
 pub use tangential::Spring;
 pub use touch::{Response, Touch, touch_force};
-pub use walls::{Pressed, pressed_surfaces, wall_forces};
+pub use walls::{Pressed, pressed_surfaces, surfaces_within, wall_forces};

@@ -22,8 +22,8 @@ use crate::vector::Spin;
 pub struct ContactArrays {
     /// Grains that the lists know.
     pub rows: u64,
-    /// Whether springs are stored with their torques against rolling.
-    pub torques: bool,
+    /// Numbers stored of each spring; those left out are 0 in all.
+    pub width: u64,
     /// Outer pairs, two rows each.
     pub outer: Vec<u32>,
     /// Which of them are inner ones.
@@ -50,66 +50,73 @@ pub struct ContactArrays {
     pub wall_springs: Vec<f64>,
 }
 
-/// Numbers of a spring: force, stiffness and, where any holds one, the torque against rolling.
-fn width(torques: bool) -> usize {
-    if torques { 7 } else { 4 }
+/// Numbers of a spring: force and stiffness, the torque against rolling, the bridge.
+const ALL: usize = 8;
+/// Those that are always stored.
+const FEWEST: usize = 4;
+
+fn all_floats(spring: Spring) -> [f64; ALL] {
+    let Spring { force: f, stiffness, torque: t, bridge } = spring;
+    [f.x, f.y, f.z, stiffness, t.x, t.y, t.z, bridge]
 }
 
-fn floats(spring: Spring, torques: bool) -> impl Iterator<Item = f64> {
-    let Spring { force: f, stiffness, torque: t } = spring;
-    [f.x, f.y, f.z, stiffness, t.x, t.y, t.z].into_iter().take(width(torques))
+fn floats(spring: Spring, width: usize) -> impl Iterator<Item = f64> {
+    all_floats(spring).into_iter().take(width)
 }
 
 fn spring(row: &[f64]) -> Spring {
-    let vector = |row: &[f64]| Vec3::new(row[0], row[1], row[2]);
-    Spring { force: vector(row), stiffness: row[3], torque: row.get(4..7).map_or(Vec3::zero(), vector) }
+    let mut all = [0.0; ALL];
+    all[..row.len()].copy_from_slice(row);
+    let [fx, fy, fz, stiffness, tx, ty, tz, bridge] = all;
+    Spring { force: Vec3::new(fx, fy, fz), stiffness, torque: Vec3::new(tx, ty, tz), bridge }
 }
 
-/// Whether any spring of the lists holds a torque.
-fn any_torque(list: &ContactList) -> bool {
-    let holds = |spring: Spring| spring.torque.norm_squared() > 0.0;
-    list.chunks.iter().any(|chunk| {
-        chunk.inner.all_springs().any(holds)
-            || chunk.planes.all_springs().any(holds)
-            || chunk.remembered.iter().any(|entry| holds(entry.spring))
-            || chunk.plane_springs.iter().any(|entry| holds(entry.spring))
-            || chunk.wall_contacts.iter().any(|contact| holds(contact.spring))
-    })
+/// How many numbers of the springs must be stored so that none is lost.
+fn width(list: &ContactList) -> usize {
+    let springs = list.chunks.iter().flat_map(|chunk| {
+        let listed = chunk.inner.all_springs().chain(chunk.planes.all_springs());
+        let remembered = chunk.remembered.iter().map(|entry| entry.spring);
+        let on_planes = chunk.plane_springs.iter().map(|entry| entry.spring);
+        let on_walls = chunk.wall_contacts.iter().map(|contact| contact.spring);
+        listed.chain(remembered).chain(on_planes).chain(on_walls)
+    });
+    let used = |spring| all_floats(spring).iter().rposition(|&x| x != 0.0).map_or(0, |last| last + 1);
+    springs.map(used).fold(FEWEST, usize::max)
 }
 
 impl ContactArrays {
     /// The lists as arrays.
     pub fn of(list: &ContactList) -> Self {
-        let torques = any_torque(list);
-        let mut arrays = Self { torques, ..Self::default() };
+        let width = width(list);
+        let mut arrays = Self { width: width as u64, ..Self::default() };
         for chunk in &list.chunks {
             arrays.rows = chunk.rows.end as u64;
             let before = arrays.outer.len() as u32 / 2;
             let pairs = chunk.outer.i.iter().zip(&chunk.outer.slot);
             arrays.outer.extend(pairs.flat_map(|(&i, &slot)| [i, chunk.grain_of_slot[slot as usize]]));
             arrays.inner.extend(chunk.inner.source.iter().map(|pair| before + pair));
-            arrays.springs.extend(chunk.inner.all_springs().flat_map(move |spring| floats(spring, torques)));
+            arrays.springs.extend(chunk.inner.all_springs().flat_map(move |spring| floats(spring, width)));
             arrays.remembered.extend(chunk.remembered.iter().flat_map(|entry| [entry.i, entry.j]));
             arrays
                 .remembered_springs
-                .extend(chunk.remembered.iter().flat_map(|entry| floats(entry.spring, torques)));
+                .extend(chunk.remembered.iter().flat_map(|entry| floats(entry.spring, width)));
             arrays
                 .near_planes
                 .extend(chunk.planes.contacts().flat_map(|(row, plane, _)| [row as u32, plane as u32]));
             arrays
                 .plane_springs
-                .extend(chunk.planes.all_springs().flat_map(move |spring| floats(spring, torques)));
+                .extend(chunk.planes.all_springs().flat_map(move |spring| floats(spring, width)));
             arrays.on_planes.extend(chunk.plane_springs.iter().flat_map(|entry| [entry.grain, entry.plane]));
             arrays
                 .on_planes_springs
-                .extend(chunk.plane_springs.iter().flat_map(|entry| floats(entry.spring, torques)));
+                .extend(chunk.plane_springs.iter().flat_map(|entry| floats(entry.spring, width)));
             arrays.near_walls.extend(chunk.candidates.iter().flat_map(|c| [c.grain, c.surface, c.image.0]));
             arrays.on_walls.extend(chunk.wall_contacts.iter().flat_map(|c| [c.grain, c.wall]));
             arrays.wall_springs.extend(
                 chunk
                     .wall_contacts
                     .iter()
-                    .flat_map(|c| c.normal.iter().copied().chain(floats(c.spring, torques)))
+                    .flat_map(|c| c.normal.iter().copied().chain(floats(c.spring, width)))
                     .collect::<Vec<_>>(),
             );
         }
@@ -127,24 +134,26 @@ impl ContactArrays {
         let on_planes = |list: &[u32]| {
             ascends::<2>(list) && list.chunks(2).all(|c| c[0] < rows && (c[1] as usize) < planes.wall.len())
         };
-        let springs = |list: &[f64], contacts: usize| list.len() == width(self.torques) * contacts;
-        let rub = scene.materials.rub();
-        self.rows <= grains as u64
+        let width = self.width as usize;
+        let springs = |list: &[f64], contacts: usize| list.len() == width * contacts;
+        let remember = Memory::of(scene).any();
+        (FEWEST..=ALL).contains(&width)
+            && self.rows <= grains as u64
             && pairs(&self.outer)
             && pairs(&self.remembered)
             && self.inner.is_sorted()
             && self.inner.last().is_none_or(|&pair| (pair as usize) < self.outer.len() / 2)
-            && springs(&self.springs, if rub { self.inner.len() } else { 0 })
+            && springs(&self.springs, if remember { self.inner.len() } else { 0 })
             && springs(&self.remembered_springs, self.remembered.len() / 2)
             && on_planes(&self.near_planes)
             && on_planes(&self.on_planes)
-            && springs(&self.plane_springs, if rub { self.near_planes.len() / 2 } else { 0 })
+            && springs(&self.plane_springs, if remember { self.near_planes.len() / 2 } else { 0 })
             && springs(&self.on_planes_springs, self.on_planes.len() / 2)
             && ascends::<3>(&self.near_walls)
             && self.near_walls.chunks(3).all(|c| c[0] < rows && c[1] < surfaces && c[2] < images)
             && ascends::<2>(&self.on_walls)
             && self.on_walls.chunks(2).all(|c| c[0] < rows && c[1] < walls)
-            && self.wall_springs.len() == self.on_walls.len() / 2 * (3 + width(self.torques))
+            && self.wall_springs.len() == self.on_walls.len() / 2 * (3 + width)
     }
 
     /// The lists of these grains; `list` has the rest of them. Nothing if the arrays do not fit.
@@ -166,7 +175,7 @@ impl ContactArrays {
         let periods = Periods::new(&scene.domain);
         let refresh =
             Refresh { scene, grains, periods: &periods, gap: list.skins.inner, alike: list.alike.is_some() };
-        let (mut rest, width, memory) = (Rest::of(self), width(self.torques), Memory::of(scene));
+        let (mut rest, width, memory) = (Rest::of(self), self.width as usize, Memory::of(scene));
         let (mut first_pair, mut inner_done) = (0, 0);
         for chunk in &mut list.chunks {
             let (first, end) = (chunk.rows.start as u32, chunk.rows.end as u32);
@@ -179,7 +188,7 @@ impl ContactArrays {
             chunk.inner.source.extend(self.inner[inner_done..][..inner].iter().map(|pair| pair - first_pair));
             assign_slots(chunk);
             refresh.complete(chunk);
-            if scene.materials.rub() {
+            if memory.any() {
                 let springs = self.springs[width * inner_done..].chunks(width).take(inner).map(spring);
                 chunk.inner.set_springs(springs);
             }
@@ -247,7 +256,7 @@ struct Rest<'a> {
 
 impl<'a> Rest<'a> {
     fn of(arrays: &'a ContactArrays) -> Self {
-        let width = width(arrays.torques);
+        let width = arrays.width as usize;
         Self {
             outer: Ascending::new(&arrays.outer),
             remembered: Ascending::new(&arrays.remembered),

@@ -1,5 +1,6 @@
 //! Eight contacts side by side.
 
+use crate::contact::cohesion::CohesionConstants;
 use crate::contact::rolling::RollingConstants;
 use crate::contact::{Coefficients, ExtraConstants, Spring};
 use crate::lanes::{Lanes, Vec3};
@@ -42,14 +43,14 @@ pub struct SpringBlock {
 }
 
 impl SpringBlock {
-    /// The springs from this lane on; their torques are in a [`TorqueBlock`].
+    /// The springs from this lane on; torques are in a [`TorqueBlock`], bridges in a [`BridgeBlock`].
     #[inline(always)]
     pub fn load<L: Lanes>(&self, lane: usize) -> Spring<L> {
         let [x, y, z] = &self.force;
         Spring {
             force: Vec3::load(&x[lane..], &y[lane..], &z[lane..]),
             stiffness: L::load(&self.stiffness[lane..]),
-            torque: Vec3::zero(),
+            ..Spring::relaxed()
         }
     }
 
@@ -148,25 +149,46 @@ impl TorqueBlock {
     }
 }
 
+/// Whether something holds the bodies of eight contacts together.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C, align(64))]
+pub struct BridgeBlock([f64; WIDTH]);
+
+impl BridgeBlock {
+    /// The bridges from this lane on.
+    #[inline(always)]
+    pub fn load<L: Lanes>(&self, lane: usize) -> L {
+        L::load(&self.0[lane..])
+    }
+
+    /// Stores bridges from this lane on.
+    #[inline(always)]
+    pub fn store<L: Lanes>(&mut self, lane: usize, bridge: L) {
+        bridge.store(&mut self.0[lane..]);
+    }
+}
+
 /// Constants of the laws besides normal and tangential force, of eight contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C, align(64))]
-pub struct ExtrasBlock([[f64; WIDTH]; 5]);
+pub struct ExtrasBlock([[f64; WIDTH]; 7]);
 
 impl ExtrasBlock {
     /// Constants from this lane on.
     #[inline(always)]
     pub fn load<L: Lanes>(&self, lane: usize) -> ExtraConstants<L> {
-        let [friction, effective_radius, stiffness, damping, cohesion] =
+        let [friction, effective_radius, stiffness, damping, strength, length, reach] =
             self.0.each_ref().map(|row| L::load(&row[lane..]));
         let rolling = RollingConstants { friction, effective_radius, stiffness, damping };
+        let cohesion = CohesionConstants { strength, length, reach };
         ExtraConstants { rolling, cohesion }
     }
 
     /// Sets one contact.
     pub fn set(&mut self, lane: usize, constants: &ExtraConstants) {
         let RollingConstants { friction, effective_radius, stiffness, damping } = constants.rolling;
-        let all = [friction, effective_radius, stiffness, damping, constants.cohesion];
+        let CohesionConstants { strength, length, reach } = constants.cohesion;
+        let all = [friction, effective_radius, stiffness, damping, strength, length, reach];
         for (row, constant) in self.0.iter_mut().zip(all) {
             row[lane] = constant;
         }

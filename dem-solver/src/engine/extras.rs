@@ -1,6 +1,7 @@
-//! Cohesion and resistance to rolling of the contacts of a list, block by block.
+//! Attraction and resistance to rolling of the contacts of a list, block by block.
 
-use super::block::{ExtrasBlock, TorqueBlock};
+use super::block::{BridgeBlock, ExtrasBlock, TorqueBlock};
+use crate::contact::cohesion::{Hold, Proximity};
 use crate::contact::rolling::Rolling;
 use crate::contact::{ExtraConstants, Extras};
 use crate::lanes::{Lanes, Vec3};
@@ -10,16 +11,16 @@ pub trait ExtraForces {
     /// Whether there is any.
     const ANY: bool;
 
-    /// Attraction of spheres at this distance \[N\].
-    fn between_spheres<L: Lanes>(&self, at: (usize, usize), radii: (L, L), distance: L) -> L;
+    /// Largest gap over which the bodies may act on each other \[m\].
+    fn reach<L: Lanes>(&self, at: (usize, usize)) -> L;
 
-    /// Attraction of a sphere at this distance from a wall \[N\].
-    fn to_wall<L: Lanes>(&self, at: (usize, usize), radius: L, distance: L) -> L;
+    /// How bodies hold together that touch or not; makes and tears what holds them.
+    fn hold<L: Lanes>(&mut self, at: (usize, usize), proximity: &Proximity<L>, touching: L::Mask) -> Hold<L>;
 
-    /// Torque that brakes the first bodies \[N m\] where they touch; moves their springs, and relaxes the others.
-    fn braking<L: Lanes>(&mut self, at: (usize, usize), rolling: &Rolling<L>, touching: L::Mask) -> Vec3<L>;
+    /// Torque that brakes the first bodies \[N m\] where there is contact; moves their springs, and relaxes the others.
+    fn braking<L: Lanes>(&mut self, at: (usize, usize), rolling: &Rolling<L>, contact: L::Mask) -> Vec3<L>;
 
-    /// Relaxes the springs against rolling.
+    /// Relaxes the springs against rolling, and tears what holds bodies together.
     fn relax<L: Lanes>(&mut self, at: (usize, usize));
 }
 
@@ -31,13 +32,13 @@ impl ExtraForces for NoExtras {
     const ANY: bool = false;
 
     #[inline(always)]
-    fn between_spheres<L: Lanes>(&self, _: (usize, usize), _: (L, L), _: L) -> L {
+    fn reach<L: Lanes>(&self, _: (usize, usize)) -> L {
         L::splat(0.0)
     }
 
     #[inline(always)]
-    fn to_wall<L: Lanes>(&self, _: (usize, usize), _: L, _: L) -> L {
-        L::splat(0.0)
+    fn hold<L: Lanes>(&mut self, _: (usize, usize), proximity: &Proximity<L>, touching: L::Mask) -> Hold<L> {
+        Hold::none(proximity.overlap, touching)
     }
 
     #[inline(always)]
@@ -58,6 +59,8 @@ pub struct ChosenExtras<'a> {
     pub constants: &'a [ExtrasBlock],
     /// What the springs against rolling hold; empty without them.
     pub torques: &'a mut [TorqueBlock],
+    /// What holds bodies together; empty where nothing outlasts touch.
+    pub bridges: &'a mut [BridgeBlock],
 }
 
 impl ChosenExtras<'_> {
@@ -71,33 +74,40 @@ impl ExtraForces for ChosenExtras<'_> {
     const ANY: bool = true;
 
     #[inline(always)]
-    fn between_spheres<L: Lanes>(&self, at: (usize, usize), radii: (L, L), distance: L) -> L {
-        let Some(law) = self.laws.cohesion else { return L::splat(0.0) };
-        self.constants::<L>(at).cohesion * law.area_of_spheres(radii.0, radii.1, distance)
+    fn reach<L: Lanes>(&self, at: (usize, usize)) -> L {
+        self.constants::<L>(at).reach()
     }
 
     #[inline(always)]
-    fn to_wall<L: Lanes>(&self, at: (usize, usize), radius: L, distance: L) -> L {
-        let Some(law) = self.laws.cohesion else { return L::splat(0.0) };
-        self.constants::<L>(at).cohesion * law.area_on_wall(radius, distance)
+    fn hold<L: Lanes>(&mut self, at: (usize, usize), proximity: &Proximity<L>, touching: L::Mask) -> Hold<L> {
+        let (block, lane) = at;
+        let mut bridge = self.bridges.get(block).map_or(L::splat(0.0), |bridges| bridges.load(lane));
+        let hold = self.laws.hold(&self.constants(at), proximity, touching, &mut bridge);
+        if let Some(bridges) = self.bridges.get_mut(block) {
+            bridges.store(lane, bridge);
+        }
+        hold
     }
 
     #[inline(always)]
-    fn braking<L: Lanes>(&mut self, at: (usize, usize), rolling: &Rolling<L>, touching: L::Mask) -> Vec3<L> {
+    fn braking<L: Lanes>(&mut self, at: (usize, usize), rolling: &Rolling<L>, contact: L::Mask) -> Vec3<L> {
         let Some(law) = self.laws.rolling else { return Vec3::zero() };
         let (block, lane) = at;
         let mut held = self.torques.get(block).map_or(Vec3::zero(), |torques| torques.load(lane));
         let torque = law.torque(&self.constants::<L>(at).rolling, rolling, &mut held);
         if let Some(torques) = self.torques.get_mut(block) {
-            torques.store(lane, held.only(touching));
+            torques.store(lane, held.only(contact));
         }
-        torque.only(touching)
+        torque.only(contact)
     }
 
     #[inline(always)]
     fn relax<L: Lanes>(&mut self, (block, lane): (usize, usize)) {
         if let Some(torques) = self.torques.get_mut(block) {
             torques.store(lane, Vec3::<L>::zero());
+        }
+        if let Some(bridges) = self.bridges.get_mut(block) {
+            bridges.store(lane, L::splat(0.0));
         }
     }
 }

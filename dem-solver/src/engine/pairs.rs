@@ -6,6 +6,7 @@ use super::block::{PairBlock, SpringBlock, WIDTH};
 use super::constants::PairConstants;
 use super::extras::ExtraForces;
 use super::periods::Periods;
+use crate::contact::cohesion::{Bodies, Hold, Proximity};
 use crate::contact::normal::Normal;
 use crate::contact::rolling::Rolling;
 use crate::contact::tangential::{Spring, Tangential};
@@ -84,7 +85,13 @@ where
         } else {
             first_coincident(L::bits(distinct), &i[..L::WIDTH], &j[..L::WIDTH])
         };
-        if !L::any(touching) {
+        let near = if X::ANY {
+            let within = reach + self.extras.reach::<L>((block, lane));
+            L::both(squared.less(within * within), distinct)
+        } else {
+            touching
+        };
+        if !L::any(near) {
             if T::REMEMBERS {
                 self.springs[block].relax::<L>(lane);
             }
@@ -93,7 +100,11 @@ where
         }
         let distance = squared.sqrt();
         let normal = separation * (L::splat(1.0) / distance);
-        let overlap = (reach - distance).only(touching);
+        let bodies = Bodies::Spheres(radius_i, radius_j);
+        let proximity = Proximity { bodies, distance, overlap: reach - distance };
+        let at = (block, lane);
+        let Hold { contact, indentation, attraction, felt } = self.extras.hold(at, &proximity, touching);
+        let overlap = proximity.overlap.only(contact);
         let share = radius_i / reach;
         let arm_i = N::arm(radius_i, overlap, share);
         let arm_j = N::arm(radius_j, overlap, L::splat(1.0) - share);
@@ -108,31 +119,33 @@ where
             let half = L::splat(0.5);
             spin * ((arm_i + arm_j) * half) + unequal * ((arm_i - arm_j) * half)
         };
-        let touch = Touch { normal, overlap, velocity: velocity + turning.cross(normal) };
+        let touch = Touch { normal, overlap: indentation, velocity: velocity + turning.cross(normal) };
         let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
         let coefficients = self.constants.coefficients::<L>(block, lane);
-        let (at, step) = ((block, lane), L::splat(self.step));
-        let attraction = self.extras.between_spheres(at, (radius_i, radius_j), distance);
+        let step = L::splat(self.step);
         let Response { force, pressing } =
-            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
-        let force = force.only(touching);
+            touch_force::<3, N, T, L>(&coefficients, &touch, felt, &mut spring, step);
+        let mut force = force.only(contact);
         if T::REMEMBERS {
-            self.springs[block].store(lane, &spring.only(touching));
+            self.springs[block].store(lane, &spring.only(contact));
         }
-        let moment = if T::REMEMBERS { normal.cross(force).only(touching) } else { Vec3::zero() };
+        let moment = if T::REMEMBERS { normal.cross(force).only(contact) } else { Vec3::zero() };
         let (mut torque_i, mut torque_j) = (moment * arm_i, moment * arm_j);
         if X::ANY && T::REMEMBERS {
-            let growth = N::growth(overlap);
+            let growth = N::growth(indentation);
             let rolling = Rolling {
                 normal,
                 spin: unsafe { L::difference_of_second_half(self.motions, i, j) },
-                elastic: coefficients.normal_stiffness * growth.stiffness * overlap,
+                elastic: coefficients.normal_stiffness * growth.stiffness * indentation,
                 pressing,
                 growth,
                 step,
             };
-            let braking = self.extras.braking(at, &rolling, touching);
+            let braking = self.extras.braking(at, &rolling, contact);
             (torque_i, torque_j) = (torque_i - braking, torque_j + braking);
+        }
+        if X::ANY {
+            force = force + (normal * attraction).only(near);
         }
         unsafe {
             if C::ALIKE {

@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use super::block::{ConstantsBlock, PlaneBlock, SpringBlock, WIDTH};
 use super::extras::ExtraForces;
+use crate::contact::cohesion::{Bodies, Hold, Proximity};
 use crate::contact::normal::Normal;
 use crate::contact::rolling::Rolling;
 use crate::contact::tangential::{Spring, Tangential};
@@ -61,43 +62,51 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
         let centre = Vec3::new(x, y, z);
         let distance = centre.dot(outward) - offset;
         let touching = distance.less(radius);
-        if !L::any(touching) {
+        let near =
+            if X::ANY { distance.less(radius + self.extras.reach::<L>((block, lane))) } else { touching };
+        if !L::any(near) {
             if T::REMEMBERS {
                 self.springs[block].relax::<L>(lane);
             }
             self.extras.relax::<L>((block, lane));
             return;
         }
-        let overlap = (radius - distance).only(touching);
+        let bodies = Bodies::SphereAndWall(radius);
+        let proximity = Proximity { bodies, distance, overlap: radius - distance };
+        let at = (block, lane);
+        let Hold { contact, indentation, attraction, felt } = self.extras.hold(at, &proximity, touching);
+        let overlap = proximity.overlap.only(contact);
         let arm = N::arm(radius, overlap, L::splat(0.0));
         let [velocity, spin] = unsafe { L::columns8(self.motions, grain) };
         let normal = -outward;
         let turning = if T::REMEMBERS { spin * arm } else { Vec3::zero() };
-        let touch = Touch { normal, overlap, velocity: velocity + turning.cross(normal) };
+        let touch = Touch { normal, overlap: indentation, velocity: velocity + turning.cross(normal) };
         let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
         let coefficients = self.constants[block].coefficients::<L>(lane);
-        let (at, step) = ((block, lane), L::splat(self.step));
-        let attraction = self.extras.to_wall(at, radius, distance);
+        let step = L::splat(self.step);
         let Response { force, pressing } =
-            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, &mut spring, step);
-        let force = force.only(touching);
+            touch_force::<3, N, T, L>(&coefficients, &touch, felt, &mut spring, step);
+        let mut force = force.only(contact);
         if T::REMEMBERS {
-            self.springs[block].store(lane, &spring.only(touching));
+            self.springs[block].store(lane, &spring.only(contact));
         }
         let mut torque = if T::REMEMBERS { normal.cross(force) * arm } else { Vec3::zero() };
+        if X::ANY {
+            force = force + (normal * attraction).only(near);
+        }
         let point = centre + normal * arm;
         let mut reaction = force.cross(point);
         if X::ANY && T::REMEMBERS {
-            let growth = N::growth(overlap);
+            let growth = N::growth(indentation);
             let rolling = Rolling {
                 normal,
                 spin: spin * N::wall_spin(radius, overlap),
-                elastic: coefficients.normal_stiffness * growth.stiffness * overlap,
+                elastic: coefficients.normal_stiffness * growth.stiffness * indentation,
                 pressing,
                 growth,
                 step,
             };
-            let braking = self.extras.braking(at, &rolling, touching);
+            let braking = self.extras.braking(at, &rolling, contact);
             (torque, reaction) = (torque - braking, reaction + braking);
         }
         unsafe {

@@ -1,28 +1,34 @@
 //! What the contacts of a list remember.
 
-use super::block::{SpringBlock, TorqueBlock, WIDTH};
+use super::block::{BridgeBlock, SpringBlock, TorqueBlock, WIDTH};
 use crate::contact::Spring;
 use crate::scene::Scene;
 
-/// How much contacts remember.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Memory {
-    /// Nothing: smooth grains.
-    Nothing,
+/// What contacts remember.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Memory {
     /// Force and stiffness of the tangential spring.
-    Force,
-    /// These, and the torque of the spring against rolling.
-    ForceAndTorque,
+    pub force: bool,
+    /// The torque of the spring against rolling.
+    pub torque: bool,
+    /// Whether something holds the bodies together.
+    pub bridge: bool,
 }
 
 impl Memory {
-    /// How much the contacts of a scene remember.
+    /// What the contacts of a scene remember.
     pub fn of<const D: usize>(scene: &Scene<D>) -> Self {
-        match scene.extras.rolling {
-            _ if !scene.materials.rub() => Self::Nothing,
-            Some(law) if law.remembers() => Self::ForceAndTorque,
-            _ => Self::Force,
+        let force = scene.materials.rub();
+        Self {
+            force,
+            torque: force && scene.extras.rolling.is_some_and(|law| law.remembers()),
+            bridge: scene.extras.cohesion.is_some_and(|law| law.remembers()),
         }
+    }
+
+    /// Whether they remember anything.
+    pub fn any(self) -> bool {
+        self != Self::default()
     }
 }
 
@@ -33,6 +39,8 @@ pub struct Springs {
     pub forces: Vec<SpringBlock>,
     /// What the springs against rolling hold; empty without them.
     pub torques: Vec<TorqueBlock>,
+    /// Whether something holds the bodies together; empty where nothing outlasts touch.
+    pub bridges: Vec<BridgeBlock>,
 }
 
 impl Springs {
@@ -45,17 +53,20 @@ impl Springs {
 
     /// Appends a block of relaxed springs.
     pub fn push_block(&mut self, memory: Memory) {
-        if memory != Memory::Nothing {
+        if memory.force {
             self.forces.push(SpringBlock::default());
         }
-        if memory == Memory::ForceAndTorque {
+        if memory.torque {
             self.torques.push(TorqueBlock::default());
+        }
+        if memory.bridge {
+            self.bridges.push(BridgeBlock::default());
         }
     }
 
     /// Whether contacts remember nothing.
     pub fn is_empty(&self) -> bool {
-        self.forces.is_empty()
+        self.forces.is_empty() && self.bridges.is_empty()
     }
 
     /// The spring of a contact; relaxed if contacts remember nothing.
@@ -64,6 +75,9 @@ impl Springs {
         let mut spring = self.forces.get(block).map_or(Spring::relaxed(), |forces| forces.load(lane));
         if let Some(torques) = self.torques.get(block) {
             spring.torque = torques.load(lane);
+        }
+        if let Some(bridges) = self.bridges.get(block) {
+            spring.bridge = bridges.load(lane);
         }
         spring
     }
@@ -77,6 +91,9 @@ impl Springs {
         if let Some(torques) = self.torques.get_mut(block) {
             torques.store(lane, spring.torque);
         }
+        if let Some(bridges) = self.bridges.get_mut(block) {
+            bridges.store(lane, spring.bridge);
+        }
     }
 
     /// Energy of all tangential springs \[J\].
@@ -88,11 +105,13 @@ impl Springs {
     pub fn clear(&mut self) {
         self.forces.clear();
         self.torques.clear();
+        self.bridges.clear();
     }
 
     /// Copies `other` into memory that is already here.
     pub fn copy_from(&mut self, other: &Self) {
         self.forces.clone_from(&other.forces);
         self.torques.clone_from(&other.torques);
+        self.bridges.clone_from(&other.bridges);
     }
 }

@@ -103,6 +103,10 @@ fn materials(case: &Case, touch: bool) -> Result<Materials, CaseError> {
         of.rolling_friction = pair.rolling_friction.unwrap_or(0.0);
         of.rolling_damping_ratio = pair.rolling_damping_ratio.unwrap_or(0.0);
         of.cohesion_energy_density = pair.cohesion_energy_density.map_or(0.0, |density| density.si());
+        of.work_of_adhesion = pair.work_of_adhesion.map_or(0.0, |work| work.si());
+        of.surface_tension = pair.surface_tension.map_or(0.0, |tension| tension.si());
+        of.contact_angle = pair.contact_angle.map_or(0.0, |angle| angle.si());
+        of.bridge_volume_ratio = pair.bridge_volume_ratio.unwrap_or(0.0);
     };
     Ok(Materials::new(list.collect::<Result<_, CaseError>>()?, pair).with(more))
 }
@@ -117,6 +121,9 @@ fn extras(grains: &document::Grains) -> Extras {
         cohesion: grains.cohesion_law.map(|law| match law {
             document::CohesionLaw::Sjkr => CohesionLaw::Sjkr,
             document::CohesionLaw::Sjkr2 => CohesionLaw::Sjkr2,
+            document::CohesionLaw::Dmt => CohesionLaw::Dmt,
+            document::CohesionLaw::Jkr => CohesionLaw::Jkr,
+            document::CohesionLaw::Capillary => CohesionLaw::Capillary,
         }),
     }
 }

@@ -16,7 +16,7 @@ pub struct Grains {
     pub characteristic_velocity: Option<Velocity>,
     /// Law of the torque that resists rolling; default: nothing does.
     pub rolling_law: Option<RollingLaw>,
-    /// Law of the cohesion of bodies that touch; default: they do not cohere.
+    /// Law of the attraction of bodies that touch or have touched; default: they do not cohere.
     pub cohesion_law: Option<CohesionLaw>,
     /// Where grains may be; default: the box around the fluid mesh, the walls and the insertions.
     pub domain: Option<Bounds>,
@@ -63,14 +63,21 @@ pub enum RollingLaw {
     Epsd2,
 }
 
-/// Law of the cohesion of bodies that touch, as LIGGGHTS 3.8.0 has it (3D).
+/// Law of the attraction of bodies that touch or have touched (3D).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum CohesionLaw {
-    /// Energy density times the area where the bodies cut each other.
+    /// LIGGGHTS 3.8.0: energy density times the area where the bodies cut each other.
     Sjkr,
-    /// Energy density times an area that grows with the overlap.
+    /// LIGGGHTS 3.8.0: energy density times an area that grows with the overlap.
     Sjkr2,
+    /// Derjaguin, Muller & Toporov: 2 π w R* as long as they touch; small, hard grains.
+    Dmt,
+    /// Johnson, Kendall & Roberts: a neck that is drawn out beyond touch and tears; large, soft grains (with `"hertz"` and
+    /// `"liggghts-hertz"` only).
+    Jkr,
+    /// A bridge of liquid that forms at touch and lasts until it ruptures (Willett et al. 2000).
+    Capillary,
 }
 
 /// What happens when a grain leaves the domain.

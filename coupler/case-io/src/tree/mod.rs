@@ -263,7 +263,7 @@ mod tests {
                 (
                     "[grains]\nnormal-law = \"hertz\"",
                     "grains = 1",
-                    "case.toml:15: pairs.glass-glass.grains: unknown key; allowed: restitution, sliding-friction, rolling-friction, rolling-damping-ratio, cohesion-energy-density",
+                    "case.toml:15: pairs.glass-glass.grains: unknown key; allowed: restitution, sliding-friction, rolling-friction, rolling-damping-ratio, cohesion-energy-density, work-of-adhesion, surface-tension, contact-angle, bridge-volume-ratio",
                 ),
                 (
                     "normal-law = \"hertz\"",

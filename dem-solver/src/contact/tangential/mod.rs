@@ -11,7 +11,7 @@ pub use coulomb::Coulomb;
 pub use frictionless::Frictionless;
 pub use liggghts_history::LiggghtsHistory;
 
-/// Memory of a rubbing contact; all zero before the first touch.
+/// Memory of a contact; all zero before the first touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Spring<L = f64> {
@@ -21,13 +21,16 @@ pub struct Spring<L = f64> {
     pub stiffness: L,
     /// Torque that the spring against rolling holds \[N m\]; 0 where there is none.
     pub torque: Vec3<L>,
+    /// 1 where something that outlasts touch holds the bodies together, else 0.
+    pub bridge: L,
 }
 
 impl<L: Lanes> Spring<L> {
     /// The spring of two bodies that do not touch.
     #[inline(always)]
     pub fn relaxed() -> Self {
-        Self { force: Vec3::zero(), stiffness: L::splat(0.0), torque: Vec3::zero() }
+        let zero = L::splat(0.0);
+        Self { force: Vec3::zero(), stiffness: zero, torque: Vec3::zero(), bridge: zero }
     }
 
     /// The spring where the mask holds, else a relaxed one.
@@ -37,14 +40,15 @@ impl<L: Lanes> Spring<L> {
             force: self.force.only(mask),
             stiffness: self.stiffness.only(mask),
             torque: self.torque.only(mask),
+            bridge: self.bridge.only(mask),
         }
     }
 }
 
 impl Spring {
-    /// Whether the two bodies touched in the last step.
+    /// Whether the two bodies touched in the last step, or something held them together.
     pub fn is_active(&self) -> bool {
-        self.stiffness > 0.0
+        self.stiffness > 0.0 || self.bridge > 0.0
     }
 
     /// The spring as the second body sees it.
@@ -54,7 +58,7 @@ impl Spring {
 
     /// Energy of the tangential spring, (k_t s)²/(2 k_t) \[J\].
     pub fn energy(&self) -> f64 {
-        if self.is_active() { 0.5 * self.force.norm_squared() / self.stiffness } else { 0.0 }
+        if self.stiffness > 0.0 { 0.5 * self.force.norm_squared() / self.stiffness } else { 0.0 }
     }
 }
 

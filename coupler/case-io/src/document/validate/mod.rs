@@ -1,6 +1,7 @@
 //! What must hold beyond the form: all that can be checked without the mesh and without the solvers.
 
 mod bond;
+mod cohesion;
 mod coupling;
 mod deletion;
 mod fluid;
@@ -36,6 +37,7 @@ pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseE
     fluid::check(document, rules)?;
     grains::check(document, rules)?;
     surface::check(document, rules)?;
+    cohesion::check(document, rules)?;
     coupling::check(document, rules)?;
     probe::check(document, rules)
 }
