@@ -114,13 +114,19 @@ impl<const D: usize> Scene<D> {
         let pair = self.materials.pair(materials.0, materials.1);
         let rolling = self.extras.rolling.map(|law| law.constants(coefficients, pair, effective, inertia));
         let cohesion = self.extras.cohesion.map(|law| law.constants(pair, effective, smaller));
-        ExtraConstants { rolling: rolling.unwrap_or_default(), cohesion: cohesion.unwrap_or_default() }
+        ExtraConstants {
+            rolling: rolling.unwrap_or_default(),
+            cohesion: cohesion.unwrap_or_default(),
+            lubrication: self.extras.lubrication.map_or(0.0, |law| law.strength(effective)),
+            effective_radius: effective,
+        }
     }
 
     /// Largest gap over which a grain of this radius and any other body may act on each other \[m\].
     pub fn reach(&self, largest_radius: f64) -> f64 {
-        let Some(law) = self.extras.cohesion else { return 0.0 };
-        let pairs = self.materials.pairs().iter();
-        pairs.map(|pair| law.constants(pair, largest_radius, largest_radius).reach).fold(0.0, f64::max)
+        let Extras { cohesion, lubrication, .. } = self.extras;
+        let pairs = cohesion.iter().flat_map(|law| self.materials.pairs().iter().map(|pair| (*law, pair)));
+        let reaches = pairs.map(|(law, pair)| law.constants(pair, largest_radius, largest_radius).reach);
+        reaches.fold(lubrication.map_or(0.0, |lubrication| lubrication.cut_off), f64::max)
     }
 }

@@ -162,7 +162,7 @@ fn at_rest<const D: usize, N: Normal<D>, T: Tangential>(
     (normal, proximity): (Spin, Proximity<f64>),
     mut spring: Spring,
 ) -> Option<(Spin, bool)> {
-    if proximity.overlap <= -constants.reach() {
+    if proximity.overlap <= -scene.extras.reach(constants) {
         return None;
     }
     let touching = proximity.overlap > 0.0;

@@ -1,14 +1,20 @@
 //! Laws that contacts may have besides normal and tangential force.
 
 use super::cohesion::{CohesionConstants, CohesionLaw, Hold, Proximity};
+use super::lubrication::Lubrication;
 use super::rolling::{RollingConstants, RollingLaw};
+use super::twisting::TwistingLaw;
 use crate::lanes::Lanes;
 
 /// The laws of a scene besides normal and tangential force.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extras {
     /// How contacts that rub resist rolling, if they do.
     pub rolling: Option<RollingLaw>,
+    /// How contacts that rub resist twisting, if they do.
+    pub twisting: Option<TwistingLaw>,
+    /// What liquid between bodies that come near or part does, if there is any.
+    pub lubrication: Option<Lubrication>,
     /// How bodies attract each other that touch or have touched, if they do.
     pub cohesion: Option<CohesionLaw>,
 }
@@ -16,7 +22,7 @@ pub struct Extras {
 impl Extras {
     /// Whether there is any.
     pub fn any(&self) -> bool {
-        self.rolling.is_some() || self.cohesion.is_some()
+        *self != Self::default()
     }
 
     /// How two bodies hold together that touch or not; see [`CohesionLaw::hold`].
@@ -34,6 +40,13 @@ impl Extras {
         }
     }
 
+    /// Largest gap over which two bodies may act on each other \[m\].
+    #[inline(always)]
+    pub fn reach<L: Lanes>(self, constants: &ExtraConstants<L>) -> L {
+        let cut_off = self.lubrication.map_or(0.0, |lubrication| lubrication.cut_off);
+        constants.cohesion.reach.max(L::splat(cut_off))
+    }
+
     /// The overlap at which the normal law alone has the contact of two bodies that touch \[m\].
     pub fn indentation(self, constants: &ExtraConstants, overlap: f64) -> f64 {
         self.cohesion.map_or(overlap, |law| law.indentation(&constants.cohesion, overlap))
@@ -47,12 +60,8 @@ pub struct ExtraConstants<L = f64> {
     pub rolling: RollingConstants<L>,
     /// Of the attraction.
     pub cohesion: CohesionConstants<L>,
-}
-
-impl<L: Lanes> ExtraConstants<L> {
-    /// Largest gap over which the two bodies may act on each other \[m\].
-    #[inline(always)]
-    pub fn reach(&self) -> L {
-        self.cohesion.reach
-    }
+    /// Of the lubrication: [`Lubrication::strength`] \[N s\].
+    pub lubrication: L,
+    /// Effective radius R* \[m\].
+    pub effective_radius: L,
 }

@@ -4,12 +4,14 @@ mod coefficients;
 pub mod cohesion;
 mod energy;
 mod extras;
+pub mod lubrication;
 pub mod normal;
 mod remembered;
 mod restitution;
 pub mod rolling;
 pub mod tangential;
 mod touch;
+pub mod twisting;
 mod walls;
 
 /// Centres nearer than this fraction of the sum of radii have no direction that a force could take.

@@ -5,6 +5,7 @@ use super::normal::Normal;
 use super::rolling::Rolling;
 use super::tangential::{Spring, Tangential};
 use super::touch::{Response, Touch, touch_force};
+use super::twisting::Twisting;
 use crate::engine::{Candidate, Chunk, WallContact, extras_near, inherited};
 use crate::fault::Fault;
 use crate::grains::{Grains, Place};
@@ -64,9 +65,6 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
             let touching = proximity.overlap > 0.0;
             let Hold { contact, indentation, attraction, felt } =
                 scene.extras.hold(&constants, &proximity, touching, &mut spring.bridge);
-            if !contact && attraction == 0.0 {
-                continue;
-            }
             let overlap = proximity.overlap.only(contact);
             let arm = normal * N::arm(place.radius, overlap, 0.0);
             let motion = &grains.motion[row as usize];
@@ -75,12 +73,16 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
             if let Some(pose) = walls.of(pressed.wall) {
                 velocity -= embed(&pose.velocity_at(&point));
             }
+            let closing = lane(&velocity).dot(lane(&embed(&normal)));
+            let squeezed = scene.extras.lubrication.map_or(0.0, |law| {
+                law.push(constants.lubrication, coefficients.inverse_mass, -proximity.overlap, closing, step)
+            });
             let touch =
                 Touch { normal: lane(&embed(&normal)), overlap: indentation, velocity: lane(&velocity) };
             let Response { force, pressing } =
                 touch_force::<D, N, T, f64>(coefficients, &touch, felt, &mut spring, step);
             let mut braking = Spin::zeros();
-            if let (Some(law), true) = (scene.extras.rolling, T::REMEMBERS) {
+            if contact && T::REMEMBERS {
                 let growth = N::growth(indentation);
                 let rolling = Rolling {
                     normal: touch.normal,
@@ -90,11 +92,18 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
                     growth,
                     step,
                 };
-                braking = unlane(law.torque(&constants.rolling, &rolling, &mut spring.torque).only(contact));
+                if let Some(law) = scene.extras.rolling {
+                    braking += unlane(law.torque(&constants.rolling, &rolling, &mut spring.torque));
+                }
+                if let Some(law) = scene.extras.twisting {
+                    let radius = constants.effective_radius;
+                    let twisting = Twisting::new(coefficients, &rolling, indentation, radius);
+                    braking += unlane(touch.normal * law.torque(&twisting, &mut spring.twist));
+                }
             }
             let bridge = spring.bridge;
             spring = Spring { bridge, ..spring.only(contact) };
-            let force = unlane(force.only(contact) + touch.normal * attraction);
+            let force = unlane(force.only(contact) + touch.normal * (attraction - squeezed));
             let torque = embed(&arm).cross(&force) - braking;
             let load = &mut loads[row as usize - chunk.rows.start].0;
             for axis in 0..3 {

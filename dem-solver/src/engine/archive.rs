@@ -10,6 +10,7 @@ use super::outer::assign_slots;
 use super::periods::Periods;
 use super::springs::Memory;
 use super::wall_contact::WallContact;
+use crate::contact::twisting::Twist;
 use crate::contact::{Remembered, Spring};
 use crate::domain::Image;
 use crate::grains::Grains;
@@ -50,14 +51,14 @@ pub struct ContactArrays {
     pub wall_springs: Vec<f64>,
 }
 
-/// Numbers of a spring: force and stiffness, the torque against rolling, the bridge.
-const ALL: usize = 8;
+/// Numbers of a spring: force and stiffness, the torque against rolling, the bridge, the twist.
+const ALL: usize = 10;
 /// Those that are always stored.
 const FEWEST: usize = 4;
 
 fn all_floats(spring: Spring) -> [f64; ALL] {
-    let Spring { force: f, stiffness, torque: t, bridge } = spring;
-    [f.x, f.y, f.z, stiffness, t.x, t.y, t.z, bridge]
+    let Spring { force: f, stiffness, torque: t, bridge, twist } = spring;
+    [f.x, f.y, f.z, stiffness, t.x, t.y, t.z, bridge, twist.torque, twist.stiffness]
 }
 
 fn floats(spring: Spring, width: usize) -> impl Iterator<Item = f64> {
@@ -67,8 +68,9 @@ fn floats(spring: Spring, width: usize) -> impl Iterator<Item = f64> {
 fn spring(row: &[f64]) -> Spring {
     let mut all = [0.0; ALL];
     all[..row.len()].copy_from_slice(row);
-    let [fx, fy, fz, stiffness, tx, ty, tz, bridge] = all;
-    Spring { force: Vec3::new(fx, fy, fz), stiffness, torque: Vec3::new(tx, ty, tz), bridge }
+    let [fx, fy, fz, stiffness, tx, ty, tz, bridge, torque, twist_stiffness] = all;
+    let twist = Twist { torque, stiffness: twist_stiffness };
+    Spring { force: Vec3::new(fx, fy, fz), stiffness, torque: Vec3::new(tx, ty, tz), bridge, twist }
 }
 
 /// How many numbers of the springs must be stored so that none is lost.

@@ -2,6 +2,7 @@
 
 use crate::contact::cohesion::CohesionConstants;
 use crate::contact::rolling::RollingConstants;
+use crate::contact::twisting::Twist;
 use crate::contact::{Coefficients, ExtraConstants, Spring};
 use crate::lanes::{Lanes, Vec3};
 
@@ -43,7 +44,7 @@ pub struct SpringBlock {
 }
 
 impl SpringBlock {
-    /// The springs from this lane on; torques are in a [`TorqueBlock`], bridges in a [`BridgeBlock`].
+    /// The springs from this lane on; torques, bridges and twists are in blocks of their own.
     #[inline(always)]
     pub fn load<L: Lanes>(&self, lane: usize) -> Spring<L> {
         let [x, y, z] = &self.force;
@@ -168,27 +169,51 @@ impl BridgeBlock {
     }
 }
 
+/// What the springs against twisting of eight contacts hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C, align(64))]
+pub struct TwistBlock([[f64; WIDTH]; 2]);
+
+impl TwistBlock {
+    /// The twists from this lane on.
+    #[inline(always)]
+    pub fn load<L: Lanes>(&self, lane: usize) -> Twist<L> {
+        let [torque, stiffness] = self.0.each_ref().map(|row| L::load(&row[lane..]));
+        Twist { torque, stiffness }
+    }
+
+    /// Stores twists from this lane on.
+    #[inline(always)]
+    pub fn store<L: Lanes>(&mut self, lane: usize, twist: Twist<L>) {
+        let [torque, stiffness] = &mut self.0;
+        twist.torque.store(&mut torque[lane..]);
+        twist.stiffness.store(&mut stiffness[lane..]);
+    }
+}
+
 /// Constants of the laws besides normal and tangential force, of eight contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C, align(64))]
-pub struct ExtrasBlock([[f64; WIDTH]; 7]);
+pub struct ExtrasBlock([[f64; WIDTH]; 9]);
 
 impl ExtrasBlock {
     /// Constants from this lane on.
     #[inline(always)]
     pub fn load<L: Lanes>(&self, lane: usize) -> ExtraConstants<L> {
-        let [friction, effective_radius, stiffness, damping, strength, length, reach] =
+        let [friction, rolled, stiffness, damping, strength, length, reach, lubrication, effective_radius] =
             self.0.each_ref().map(|row| L::load(&row[lane..]));
-        let rolling = RollingConstants { friction, effective_radius, stiffness, damping };
+        let rolling = RollingConstants { friction, effective_radius: rolled, stiffness, damping };
         let cohesion = CohesionConstants { strength, length, reach };
-        ExtraConstants { rolling, cohesion }
+        ExtraConstants { rolling, cohesion, lubrication, effective_radius }
     }
 
     /// Sets one contact.
     pub fn set(&mut self, lane: usize, constants: &ExtraConstants) {
-        let RollingConstants { friction, effective_radius, stiffness, damping } = constants.rolling;
-        let CohesionConstants { strength, length, reach } = constants.cohesion;
-        let all = [friction, effective_radius, stiffness, damping, strength, length, reach];
+        let ExtraConstants { rolling, cohesion, lubrication, effective_radius } = *constants;
+        let RollingConstants { friction, effective_radius: rolled, stiffness, damping } = rolling;
+        let CohesionConstants { strength, length, reach } = cohesion;
+        let all =
+            [friction, rolled, stiffness, damping, strength, length, reach, lubrication, effective_radius];
         for (row, constant) in self.0.iter_mut().zip(all) {
             row[lane] = constant;
         }

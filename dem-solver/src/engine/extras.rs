@@ -1,9 +1,10 @@
-//! Attraction and resistance to rolling of the contacts of a list, block by block.
+//! Attraction, lubrication and resistance to rolling and twisting of the contacts of a list, block by block.
 
-use super::block::{BridgeBlock, ExtrasBlock, TorqueBlock};
+use super::block::{BridgeBlock, ExtrasBlock, TorqueBlock, TwistBlock};
 use crate::contact::cohesion::{Hold, Proximity};
 use crate::contact::rolling::Rolling;
-use crate::contact::{ExtraConstants, Extras};
+use crate::contact::twisting::{Twist, Twisting};
+use crate::contact::{Coefficients, ExtraConstants, Extras};
 use crate::lanes::{Lanes, Vec3};
 
 /// What a kernel asks of the laws besides normal and tangential force, for the contacts from a lane of a block on.
@@ -17,10 +18,27 @@ pub trait ExtraForces {
     /// How bodies hold together that touch or not; makes and tears what holds them.
     fn hold<L: Lanes>(&mut self, at: (usize, usize), proximity: &Proximity<L>, touching: L::Mask) -> Hold<L>;
 
-    /// Torque that brakes the first bodies \[N m\] where there is contact; moves their springs, and relaxes the others.
-    fn braking<L: Lanes>(&mut self, at: (usize, usize), rolling: &Rolling<L>, contact: L::Mask) -> Vec3<L>;
+    /// Mean force of a step \[s\] by which liquid pushes bodies apart that come nearer at this speed \[m/s\] \[N\].
+    fn lubrication<L: Lanes>(
+        &self,
+        at: (usize, usize),
+        coefficients: &Coefficients<L>,
+        overlap: L,
+        closing: L,
+        step: L,
+    ) -> L;
 
-    /// Relaxes the springs against rolling, and tears what holds bodies together.
+    /// Torque that brakes the first bodies \[N m\] where there is contact; moves their springs, and relaxes the others.
+    fn braking<L: Lanes>(
+        &mut self,
+        at: (usize, usize),
+        coefficients: &Coefficients<L>,
+        rolling: &Rolling<L>,
+        indentation: L,
+        contact: L::Mask,
+    ) -> Vec3<L>;
+
+    /// Relaxes the springs against rolling and twisting, and tears what holds bodies together.
     fn relax<L: Lanes>(&mut self, at: (usize, usize));
 }
 
@@ -42,7 +60,19 @@ impl ExtraForces for NoExtras {
     }
 
     #[inline(always)]
-    fn braking<L: Lanes>(&mut self, _: (usize, usize), _: &Rolling<L>, _: L::Mask) -> Vec3<L> {
+    fn lubrication<L: Lanes>(&self, _: (usize, usize), _: &Coefficients<L>, _: L, _: L, _: L) -> L {
+        L::splat(0.0)
+    }
+
+    #[inline(always)]
+    fn braking<L: Lanes>(
+        &mut self,
+        _: (usize, usize),
+        _: &Coefficients<L>,
+        _: &Rolling<L>,
+        _: L,
+        _: L::Mask,
+    ) -> Vec3<L> {
         Vec3::zero()
     }
 
@@ -61,12 +91,48 @@ pub struct ChosenExtras<'a> {
     pub torques: &'a mut [TorqueBlock],
     /// What holds bodies together; empty where nothing outlasts touch.
     pub bridges: &'a mut [BridgeBlock],
+    /// What the springs against twisting hold; empty without them.
+    pub twists: &'a mut [TwistBlock],
 }
 
 impl ChosenExtras<'_> {
     #[inline(always)]
     fn constants<L: Lanes>(&self, (block, lane): (usize, usize)) -> ExtraConstants<L> {
         self.constants[block].load(lane)
+    }
+
+    #[inline(always)]
+    fn against_rolling<L: Lanes>(
+        &mut self,
+        at: (usize, usize),
+        rolling: &Rolling<L>,
+        contact: L::Mask,
+    ) -> Vec3<L> {
+        let Some(law) = self.laws.rolling else { return Vec3::zero() };
+        let (block, lane) = at;
+        let mut held = self.torques.get(block).map_or(Vec3::zero(), |torques| torques.load(lane));
+        let torque = law.torque(&self.constants::<L>(at).rolling, rolling, &mut held);
+        if let Some(torques) = self.torques.get_mut(block) {
+            torques.store(lane, held.only(contact));
+        }
+        torque.only(contact)
+    }
+
+    #[inline(always)]
+    fn against_twisting<L: Lanes>(
+        &mut self,
+        (block, lane): (usize, usize),
+        normal: Vec3<L>,
+        twisting: &Twisting<L>,
+        contact: L::Mask,
+    ) -> Vec3<L> {
+        let Some(law) = self.laws.twisting else { return Vec3::zero() };
+        let mut twist = self.twists.get(block).map_or(Twist::relaxed(), |twists| twists.load(lane));
+        let torque = law.torque(twisting, &mut twist);
+        if let Some(twists) = self.twists.get_mut(block) {
+            twists.store(lane, twist.only(contact));
+        }
+        (normal * torque).only(contact)
     }
 }
 
@@ -75,7 +141,7 @@ impl ExtraForces for ChosenExtras<'_> {
 
     #[inline(always)]
     fn reach<L: Lanes>(&self, at: (usize, usize)) -> L {
-        self.constants::<L>(at).reach()
+        self.laws.reach(&self.constants::<L>(at))
     }
 
     #[inline(always)]
@@ -90,15 +156,31 @@ impl ExtraForces for ChosenExtras<'_> {
     }
 
     #[inline(always)]
-    fn braking<L: Lanes>(&mut self, at: (usize, usize), rolling: &Rolling<L>, contact: L::Mask) -> Vec3<L> {
-        let Some(law) = self.laws.rolling else { return Vec3::zero() };
-        let (block, lane) = at;
-        let mut held = self.torques.get(block).map_or(Vec3::zero(), |torques| torques.load(lane));
-        let torque = law.torque(&self.constants::<L>(at).rolling, rolling, &mut held);
-        if let Some(torques) = self.torques.get_mut(block) {
-            torques.store(lane, held.only(contact));
-        }
-        torque.only(contact)
+    fn lubrication<L: Lanes>(
+        &self,
+        at: (usize, usize),
+        coefficients: &Coefficients<L>,
+        overlap: L,
+        closing: L,
+        step: L,
+    ) -> L {
+        let Some(law) = self.laws.lubrication else { return L::splat(0.0) };
+        law.push(self.constants::<L>(at).lubrication, coefficients.inverse_mass, -overlap, closing, step)
+    }
+
+    #[inline(always)]
+    fn braking<L: Lanes>(
+        &mut self,
+        at: (usize, usize),
+        coefficients: &Coefficients<L>,
+        rolling: &Rolling<L>,
+        indentation: L,
+        contact: L::Mask,
+    ) -> Vec3<L> {
+        let twisting =
+            Twisting::new(coefficients, rolling, indentation, self.constants::<L>(at).effective_radius);
+        self.against_rolling(at, rolling, contact)
+            + self.against_twisting(at, rolling.normal, &twisting, contact)
     }
 
     #[inline(always)]
@@ -108,6 +190,9 @@ impl ExtraForces for ChosenExtras<'_> {
         }
         if let Some(bridges) = self.bridges.get_mut(block) {
             bridges.store(lane, L::splat(0.0));
+        }
+        if let Some(twists) = self.twists.get_mut(block) {
+            twists.store(lane, Twist::<L>::relaxed());
         }
     }
 }

@@ -106,11 +106,11 @@ impl Kernels<'_> {
     ) -> Option<(u32, u32)> {
         let InnerPairs { blocks, springs, constants, extras, .. } = &mut chunk.inner;
         let (constants, laws) = (constants.as_slice(), self.extras);
-        let Springs { forces, torques, bridges } = springs;
+        let Springs { forces, torques, bridges, twists } = springs;
         match self.alike {
             Some(alike) => self.pairs::<N, T, _, _>(blocks, forces, alike, NoExtras, loads),
             None if laws.any() => {
-                let extras = ChosenExtras { laws, constants: extras, torques, bridges };
+                let extras = ChosenExtras { laws, constants: extras, torques, bridges, twists };
                 self.pairs::<N, T, _, _>(blocks, forces, constants, extras, loads)
             }
             None => self.pairs::<N, T, _, _>(blocks, forces, constants, NoExtras, loads),
@@ -141,10 +141,10 @@ impl Kernels<'_> {
 
     fn planes_by_law<N: Normal<3>, T: Tangential>(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) {
         let NearPlanes { blocks, springs, constants, extras, .. } = &mut chunk.planes;
-        let Springs { forces, torques, bridges } = springs;
+        let Springs { forces, torques, bridges, twists } = springs;
         let laws = self.extras;
         if laws.any() {
-            let extras = ChosenExtras { laws, constants: extras, torques, bridges };
+            let extras = ChosenExtras { laws, constants: extras, torques, bridges, twists };
             self.planes::<N, T, _>(blocks, forces, constants, extras, loads);
         } else {
             self.planes::<N, T, _>(blocks, forces, constants, NoExtras, loads);

@@ -141,11 +141,13 @@ where
                 growth,
                 step,
             };
-            let braking = self.extras.braking(at, &rolling, contact);
+            let braking = self.extras.braking(at, &coefficients, &rolling, indentation, contact);
             (torque_i, torque_j) = (torque_i - braking, torque_j + braking);
         }
         if X::ANY {
-            force = force + (normal * attraction).only(near);
+            let closing = velocity.dot(normal);
+            let squeezed = self.extras.lubrication(at, &coefficients, proximity.overlap, closing, step);
+            force = force + (normal * (attraction - squeezed)).only(near);
         }
         unsafe {
             if C::ALIKE {

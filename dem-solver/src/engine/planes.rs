@@ -92,7 +92,9 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
         }
         let mut torque = if T::REMEMBERS { normal.cross(force) * arm } else { Vec3::zero() };
         if X::ANY {
-            force = force + (normal * attraction).only(near);
+            let closing = velocity.dot(normal);
+            let squeezed = self.extras.lubrication(at, &coefficients, proximity.overlap, closing, step);
+            force = force + (normal * (attraction - squeezed)).only(near);
         }
         let point = centre + normal * arm;
         let mut reaction = force.cross(point);
@@ -106,7 +108,7 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
                 growth,
                 step,
             };
-            let braking = self.extras.braking(at, &rolling, contact);
+            let braking = self.extras.braking(at, &coefficients, &rolling, indentation, contact);
             (torque, reaction) = (torque - braking, reaction + braking);
         }
         unsafe {

@@ -1,6 +1,6 @@
 //! What the contacts of a list remember.
 
-use super::block::{BridgeBlock, SpringBlock, TorqueBlock, WIDTH};
+use super::block::{BridgeBlock, SpringBlock, TorqueBlock, TwistBlock, WIDTH};
 use crate::contact::Spring;
 use crate::scene::Scene;
 
@@ -13,6 +13,8 @@ pub struct Memory {
     pub torque: bool,
     /// Whether something holds the bodies together.
     pub bridge: bool,
+    /// Torque and stiffness of the spring against twisting.
+    pub twist: bool,
 }
 
 impl Memory {
@@ -23,6 +25,7 @@ impl Memory {
             force,
             torque: force && scene.extras.rolling.is_some_and(|law| law.remembers()),
             bridge: scene.extras.cohesion.is_some_and(|law| law.remembers()),
+            twist: force && scene.extras.twisting.is_some(),
         }
     }
 
@@ -41,6 +44,8 @@ pub struct Springs {
     pub torques: Vec<TorqueBlock>,
     /// Whether something holds the bodies together; empty where nothing outlasts touch.
     pub bridges: Vec<BridgeBlock>,
+    /// What the springs against twisting hold; empty without them.
+    pub twists: Vec<TwistBlock>,
 }
 
 impl Springs {
@@ -62,6 +67,9 @@ impl Springs {
         if memory.bridge {
             self.bridges.push(BridgeBlock::default());
         }
+        if memory.twist {
+            self.twists.push(TwistBlock::default());
+        }
     }
 
     /// Whether contacts remember nothing.
@@ -79,6 +87,9 @@ impl Springs {
         if let Some(bridges) = self.bridges.get(block) {
             spring.bridge = bridges.load(lane);
         }
+        if let Some(twists) = self.twists.get(block) {
+            spring.twist = twists.load(lane);
+        }
         spring
     }
 
@@ -94,6 +105,9 @@ impl Springs {
         if let Some(bridges) = self.bridges.get_mut(block) {
             bridges.store(lane, spring.bridge);
         }
+        if let Some(twists) = self.twists.get_mut(block) {
+            twists.store(lane, spring.twist);
+        }
     }
 
     /// Energy of all tangential springs \[J\].
@@ -106,6 +120,7 @@ impl Springs {
         self.forces.clear();
         self.torques.clear();
         self.bridges.clear();
+        self.twists.clear();
     }
 
     /// Copies `other` into memory that is already here.
@@ -113,5 +128,6 @@ impl Springs {
         self.forces.clone_from(&other.forces);
         self.torques.clone_from(&other.torques);
         self.bridges.clone_from(&other.bridges);
+        self.twists.clone_from(&other.twists);
     }
 }

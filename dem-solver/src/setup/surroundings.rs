@@ -8,8 +8,10 @@ use super::bonds::laws;
 use super::deletion::deletions;
 use super::walls::walls;
 use crate::contact::cohesion::CohesionLaw;
+use crate::contact::lubrication::Lubrication;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke};
 use crate::contact::rolling::RollingLaw;
+use crate::contact::twisting::TwistingLaw;
 use crate::contact::{Extras, NormalLaw};
 use crate::domain::Domain;
 use crate::error::DemError;
@@ -117,6 +119,14 @@ fn extras(grains: &document::Grains) -> Extras {
             document::RollingLaw::Cdt => RollingLaw::Cdt,
             document::RollingLaw::Epsd => RollingLaw::Epsd,
             document::RollingLaw::Epsd2 => RollingLaw::Epsd2,
+        }),
+        twisting: grains.twisting_law.map(|law| match law {
+            document::TwistingLaw::Marshall => TwistingLaw::Marshall,
+        }),
+        lubrication: grains.lubrication.map(|film| Lubrication {
+            viscosity: film.viscosity.si(),
+            roughness: film.roughness.si(),
+            cut_off: film.cut_off.si(),
         }),
         cohesion: grains.cohesion_law.map(|law| match law {
             document::CohesionLaw::Sjkr => CohesionLaw::Sjkr,

@@ -5,6 +5,7 @@ mod frictionless;
 mod liggghts_history;
 
 use super::coefficients::{Coefficients, Growth};
+use super::twisting::Twist;
 use crate::lanes::{Lanes, Vec3};
 
 pub use coulomb::Coulomb;
@@ -23,6 +24,8 @@ pub struct Spring<L = f64> {
     pub torque: Vec3<L>,
     /// 1 where something that outlasts touch holds the bodies together, else 0.
     pub bridge: L,
+    /// What the spring against twisting holds.
+    pub twist: Twist<L>,
 }
 
 impl<L: Lanes> Spring<L> {
@@ -30,7 +33,13 @@ impl<L: Lanes> Spring<L> {
     #[inline(always)]
     pub fn relaxed() -> Self {
         let zero = L::splat(0.0);
-        Self { force: Vec3::zero(), stiffness: zero, torque: Vec3::zero(), bridge: zero }
+        Self {
+            force: Vec3::zero(),
+            stiffness: zero,
+            torque: Vec3::zero(),
+            bridge: zero,
+            twist: Twist::relaxed(),
+        }
     }
 
     /// The spring where the mask holds, else a relaxed one.
@@ -41,6 +50,7 @@ impl<L: Lanes> Spring<L> {
             stiffness: self.stiffness.only(mask),
             torque: self.torque.only(mask),
             bridge: self.bridge.only(mask),
+            twist: self.twist.only(mask),
         }
     }
 }

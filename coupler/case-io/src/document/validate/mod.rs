@@ -8,6 +8,7 @@ mod fluid;
 mod general;
 mod grains;
 mod insertion;
+mod lubrication;
 mod material;
 mod mesh;
 mod motion_table;
@@ -38,6 +39,7 @@ pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseE
     grains::check(document, rules)?;
     surface::check(document, rules)?;
     cohesion::check(document, rules)?;
+    lubrication::check(document, rules)?;
     coupling::check(document, rules)?;
     probe::check(document, rules)
 }

@@ -1,4 +1,4 @@
-//! `grains.rolling-law`, and what `[pairs.*]` say of it.
+//! `grains.rolling-law` and `grains.twisting-law`, and what `[pairs.*]` say of them.
 
 use super::rules::Rules;
 use crate::document::{Document, NormalLaw, Pair, RollingLaw};
@@ -6,12 +6,17 @@ use crate::error::CaseError;
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
     let Some(grains) = &document.grains else { return Ok(()) };
-    let rolling = "grains.rolling-law";
+    let (rolling, twisting) = ("grains.rolling-law", "grains.twisting-law");
     if grains.normal_law == NormalLaw::None {
         rules.no_effect(rolling, "with normal-law = \"none\"")?;
+        rules.no_effect(twisting, "with normal-law = \"none\"")?;
     }
     if document.pairs.values().all(|pair| pair.sliding_friction == 0.0) {
         rules.no_effect(rolling, "without sliding friction in any pair, since nothing rolls")?;
+        rules.no_effect(twisting, "without sliding friction in any pair, since nothing is held")?;
+    }
+    if document.case.dimension.count() == 2 {
+        rules.no_effect(twisting, "in 2D, where nothing spins about a normal")?;
     }
     for (name, pair) in &document.pairs {
         let table = format!("pairs.{name}");
@@ -48,7 +53,7 @@ fn of_rolling(table: &str, pair: &Pair, law: Option<RollingLaw>, rules: &Rules) 
 
 #[cfg(test)]
 mod tests {
-    use crate::document::fixture::{SETTLING, assert_refusals, document};
+    use crate::document::fixture::{DRY, SETTLING, assert_refusals, document};
 
     const LAWS: &str = "rolling-law = \"epsd\"\n[[insertion]]\nname = \"bed\"";
     const SAID: &str = "sliding-friction = 0.3\nrolling-friction = 0.05\nrolling-damping-ratio = 0.3";
@@ -105,6 +110,35 @@ mod tests {
                     "case.toml:19: grains.rolling-law: has no effect without sliding friction in any pair, since nothing rolls; delete it",
                 ),
             ],
+        );
+    }
+    #[test]
+    fn only_spheres_that_rub_are_twisted() {
+        let twisted = "twisting-law = \"marshall\"\n[[insertion]]\nname = \"bed\"";
+        let base = SETTLING.replace("[[insertion]]\nname = \"bed\"", twisted);
+        document(&base);
+        assert_refusals(
+            &base,
+            &[
+                (
+                    "sliding-friction = 0.3",
+                    "sliding-friction = 0",
+                    "case.toml:17: grains.twisting-law: has no effect without sliding friction in any pair, since nothing is held; delete it",
+                ),
+                (
+                    "\"marshall\"",
+                    "\"marshal\"",
+                    "case.toml:17: grains.twisting-law: unknown law \"marshal\"; allowed: marshall; did you mean \"marshall\"?",
+                ),
+            ],
+        );
+        assert_refusals(
+            DRY,
+            &[(
+                "[[insertion]]",
+                "twisting-law = \"marshall\"\n[[insertion]]",
+                "case.toml:27: grains.twisting-law: has no effect in 2D, where nothing spins about a normal; delete it",
+            )],
         );
     }
 }
