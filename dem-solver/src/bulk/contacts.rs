@@ -69,7 +69,8 @@ fn between_grains<const D: usize, N: Normal<D>, T: Tangential>(
             continue;
         }
         let (normal, overlap) = (separation / distance, reach - distance);
-        let proximity = Proximity { bodies: Bodies::Spheres(one.radius, other.radius), distance, overlap };
+        let proximity =
+            Proximity { bodies: Bodies::Spheres(one.radius, other.radius), distance, overlap, travel: 0.0 };
         let constants = extras_of_pair(scene, grains, (i, j), &coefficients);
         let spring = chunk.inner.springs.get(k);
         let Some((force, touches)) =
@@ -148,7 +149,7 @@ fn on_wall<const D: usize, N: Normal<D>, T: Tangential>(
     let material = scene.walls.materials[wall as usize];
     let constants = extras_on_wall(scene, &world.grains, grain, material, coefficients);
     let bodies = Bodies::SphereAndWall(radius);
-    let proximity = Proximity { bodies, distance: radius - overlap, overlap };
+    let proximity = Proximity { bodies, distance: radius - overlap, overlap, travel: 0.0 };
     let (force, touches) = at_rest::<D, N, T>(scene, coefficients, &constants, (normal, proximity), spring)?;
     let branch = normal * N::arm(radius, overlap, 0.0);
     Some(Contact { grain, other: None, normal, touches, force, branch })

@@ -61,11 +61,7 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
                 extras_near(scene, grains, &pressed.candidate).unwrap_or_default(),
             );
             let (bodies, distance) = (Bodies::SphereAndWall(place.radius), pressed.nearest.distance);
-            let proximity = Proximity { bodies, distance, overlap: place.radius - distance };
-            let touching = proximity.overlap > 0.0;
-            let Hold { contact, indentation, attraction, felt } =
-                scene.extras.hold(&constants, &proximity, touching, &mut spring.bridge);
-            let overlap = proximity.overlap.only(contact);
+            let overlap = place.radius - distance;
             let arm = normal * N::arm(place.radius, overlap, 0.0);
             let motion = &grains.motion[row as usize];
             let point = place.at::<D>() - scene.shifts[pressed.candidate.image.0 as usize] + arm;
@@ -73,9 +69,12 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
             if let Some(pose) = walls.of(pressed.wall) {
                 velocity -= embed(&pose.velocity_at(&point));
             }
-            let closing = lane(&velocity).dot(lane(&embed(&normal)));
+            let closing = velocity.dot(&embed(&normal));
+            let proximity = Proximity { bodies, distance, overlap, travel: closing * step };
+            let Hold { contact, indentation, attraction, felt } =
+                scene.extras.hold(&constants, &proximity, overlap > 0.0, &mut spring.bridge);
             let squeezed = scene.extras.lubrication.map_or(0.0, |law| {
-                law.push(constants.lubrication, coefficients.inverse_mass, -proximity.overlap, closing, step)
+                law.push(constants.lubrication, coefficients.inverse_mass, -overlap, closing, step)
             });
             let touch =
                 Touch { normal: lane(&embed(&normal)), overlap: indentation, velocity: lane(&velocity) };

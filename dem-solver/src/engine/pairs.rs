@@ -101,14 +101,15 @@ where
         let distance = squared.sqrt();
         let normal = separation * (L::splat(1.0) / distance);
         let bodies = Bodies::Spheres(radius_i, radius_j);
-        let proximity = Proximity { bodies, distance, overlap: reach - distance };
+        let [velocity, spin] = unsafe { L::difference_and_sum8(self.motions, i, j) };
+        let (closing, step) = (velocity.dot(normal), L::splat(self.step));
+        let proximity = Proximity { bodies, distance, overlap: reach - distance, travel: closing * step };
         let at = (block, lane);
         let Hold { contact, indentation, attraction, felt } = self.extras.hold(at, &proximity, touching);
         let overlap = proximity.overlap.only(contact);
         let share = radius_i / reach;
         let arm_i = N::arm(radius_i, overlap, share);
         let arm_j = N::arm(radius_j, overlap, L::splat(1.0) - share);
-        let [velocity, spin] = unsafe { L::difference_and_sum8(self.motions, i, j) };
         // a_i ω_i + a_j ω_j = (a_i + a_j)/2 (ω_i + ω_j) + (a_i - a_j)/2 (ω_i - ω_j)
         let turning = if !T::REMEMBERS {
             Vec3::zero()
@@ -122,7 +123,6 @@ where
         let touch = Touch { normal, overlap: indentation, velocity: velocity + turning.cross(normal) };
         let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
         let coefficients = self.constants.coefficients::<L>(block, lane);
-        let step = L::splat(self.step);
         let Response { force, pressing } =
             touch_force::<3, N, T, L>(&coefficients, &touch, felt, &mut spring, step);
         let mut force = force.only(contact);
@@ -145,7 +145,6 @@ where
             (torque_i, torque_j) = (torque_i - braking, torque_j + braking);
         }
         if X::ANY {
-            let closing = velocity.dot(normal);
             let squeezed = self.extras.lubrication(at, &coefficients, proximity.overlap, closing, step);
             force = force + (normal * (attraction - squeezed)).only(near);
         }

@@ -72,18 +72,18 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
             return;
         }
         let bodies = Bodies::SphereAndWall(radius);
-        let proximity = Proximity { bodies, distance, overlap: radius - distance };
+        let [velocity, spin] = unsafe { L::columns8(self.motions, grain) };
+        let normal = -outward;
+        let (closing, step) = (velocity.dot(normal), L::splat(self.step));
+        let proximity = Proximity { bodies, distance, overlap: radius - distance, travel: closing * step };
         let at = (block, lane);
         let Hold { contact, indentation, attraction, felt } = self.extras.hold(at, &proximity, touching);
         let overlap = proximity.overlap.only(contact);
         let arm = N::arm(radius, overlap, L::splat(0.0));
-        let [velocity, spin] = unsafe { L::columns8(self.motions, grain) };
-        let normal = -outward;
         let turning = if T::REMEMBERS { spin * arm } else { Vec3::zero() };
         let touch = Touch { normal, overlap: indentation, velocity: velocity + turning.cross(normal) };
         let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
         let coefficients = self.constants[block].coefficients::<L>(lane);
-        let step = L::splat(self.step);
         let Response { force, pressing } =
             touch_force::<3, N, T, L>(&coefficients, &touch, felt, &mut spring, step);
         let mut force = force.only(contact);
@@ -92,7 +92,6 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
         }
         let mut torque = if T::REMEMBERS { normal.cross(force) * arm } else { Vec3::zero() };
         if X::ANY {
-            let closing = velocity.dot(normal);
             let squeezed = self.extras.lubrication(at, &coefficients, proximity.overlap, closing, step);
             force = force + (normal * (attraction - squeezed)).only(near);
         }

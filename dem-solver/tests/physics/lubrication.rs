@@ -100,14 +100,14 @@ fn wet_restitution_falls_with_the_stokes_number_to_nothing_at_the_critical_one()
         }
     }
     println!("restitution off by {worst:.1e}");
-    assert!(worst < 5e-3, "{worst}");
+    assert!(worst < 1e-3, "{worst}");
 }
 
 #[test]
 fn no_viscosity_and_no_step_makes_energy() {
     for viscosity in [1e-3, 1.0, 1e6] {
-        let (mut scene, mut grains) = gas(hertz(), 0.7, 0.3, 7.0 * 1.22e-3);
-        let film = Lubrication { viscosity, roughness: 1e-6, cut_off: 2e-4 };
+        let (mut scene, mut grains) = gas(hertz(), 0.7, 0.3, 7.0 * 1.45e-3);
+        let film = Lubrication { viscosity, roughness: 1e-6, cut_off: 4e-4 };
         scene.extras = Extras { lubrication: Some(film), ..Extras::default() };
         let start = kinetic_energy(&grains);
         let mut before = start;
@@ -120,7 +120,7 @@ fn no_viscosity_and_no_step_makes_energy() {
             before = now;
         }
         assert!(
-            before < if viscosity > 0.1 { 0.2 } else { 1.0 } * start,
+            before < if viscosity > 0.1 { 0.5 } else { 1.0 } * start,
             "{viscosity} Pa s: {before} of {start} J"
         );
     }

@@ -2,10 +2,10 @@
 #![allow(clippy::print_stdout, reason = "the deviations are figures of the documentation")]
 
 use crate::scenes::{GLASS, floor, glass, hertz, kinetic_energy, run, world};
+use dem_solver::contact::Extras;
 use dem_solver::contact::cohesion::CohesionLaw;
 use dem_solver::contact::rolling::RollingLaw;
 use dem_solver::contact::twisting::{Twist, Twisting, TwistingLaw};
-use dem_solver::contact::{Extras, stored_energy};
 use dem_solver::wall::{Facet, Shape, Wall, Walls};
 use dem_solver::{Grain, Scene, Vector};
 
@@ -57,8 +57,14 @@ fn a_sphere_that_spins_on_the_floor_stops_when_coulombs_limit_says() {
             assert!(kinetic_energy(&ball) < energy);
             energy = kinetic_energy(&ball);
         }
-        run(&scene, &mut ball, 0.15 * time, 15_000).unwrap();
-        assert!(ball.grains.motion[0].angular_velocity.norm() < 1e-3 * spin, "it has stopped");
+        // What is left is the swing of a spring wound up to the limit, I dω²/2 = T²/(2 k), k = 4 G* a³.
+        run(&scene, &mut ball, 0.2 * time, 20_000).unwrap();
+        let nu = GLASS.poissons_ratio;
+        let modulus = GLASS.youngs_modulus / (4.0 * (2.0 - nu) * (1.0 + nu));
+        let stiffness = 4.0 * modulus * (RADIUS * resting()).powf(1.5);
+        let swing = torque / (stiffness * inertia).sqrt();
+        let left = ball.grains.motion[0].angular_velocity.norm();
+        assert!(left < 1.01 * swing && swing < 0.03 * spin, "{left} rad/s, swings of {swing} rad/s");
         assert!(ball.grains.motion[0].velocity.norm() < 1e-6);
     }
 }
@@ -90,24 +96,27 @@ fn below_the_limit_the_contact_is_a_spring_of_golden_stiffness() {
 
 #[test]
 fn spheres_that_adhere_share_their_spin_and_keep_angular_momentum() {
-    let materials = glass(0.5, FRICTION).with(|_, _, pair| pair.work_of_adhesion = 10.0);
+    let materials = glass(0.5, FRICTION).with(|_, _, pair| {
+        pair.work_of_adhesion = 10.0;
+        pair.rolling_friction = 0.05;
+    });
     let cohesion = Some(CohesionLaw::Jkr);
     for rolling in [None, Some(RollingLaw::Epsd2)] {
         let scene =
             Scene::<3>::new(materials.clone(), hertz()).with_extras(Extras { rolling, cohesion, ..TWISTING });
         let grains = [
-            Grain::at([0.0; 3], RADIUS).spinning([3.0, 0.0, 0.0]),
-            Grain::at([1.6 * RADIUS, 0.0, 0.0], 0.6 * RADIUS).spinning([-1.0, 0.0, 0.0]),
+            Grain::at([0.0; 3], RADIUS).spinning([300.0, 0.0, 0.0]),
+            Grain::at([1.599 * RADIUS, 0.0, 0.0], 0.6 * RADIUS).spinning([-100.0, 0.0, 0.0]),
         ];
         let mut pair = world(&scene, &grains);
         let about_x = |pair: &dem_solver::World<3>| -> f64 {
             pair.grains.motion.iter().map(|motion| motion.angular_velocity.x / motion.inverse_inertia).sum()
         };
         let start = about_x(&pair);
-        let mut energy = kinetic_energy(&pair) + stored_energy(&scene, &pair);
-        let first = energy;
+        let first = kinetic_energy(&pair);
+        let mut energy = first;
         for _ in 0..20 {
-            run(&scene, &mut pair, 5e-3, 1000).unwrap();
+            run(&scene, &mut pair, 20e-3, 1000).unwrap();
             let spinning: f64 = pair
                 .grains
                 .motion
@@ -115,11 +124,11 @@ fn spheres_that_adhere_share_their_spin_and_keep_angular_momentum() {
                 .map(|motion| 0.5 * motion.angular_velocity.norm_squared() / motion.inverse_inertia)
                 .sum();
             assert!(spinning < energy + 1e-3 * first, "{spinning} J after {energy} J");
-            energy = spinning.max(0.0);
+            energy = spinning;
         }
         let spins = pair.grains.motion.iter().map(|motion| motion.angular_velocity.x).collect::<Vec<_>>();
         println!("spins {spins:?} rad/s");
-        assert!((spins[0] - spins[1]).abs() < 0.05, "{spins:?}");
+        assert!((spins[0] - spins[1]).abs() < 40.0, "{spins:?}");
         assert!((about_x(&pair) / start - 1.0).abs() < 1e-12);
     }
 }

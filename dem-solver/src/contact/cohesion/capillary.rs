@@ -41,13 +41,23 @@ impl Cohesion for Capillary {
 
     #[inline(always)]
     fn attraction<L: Lanes>(constants: &CohesionConstants<L>, proximity: &Proximity<L>) -> L {
-        let gap = (-proximity.overlap).max(L::splat(0.0)) / divisor(constants.length);
-        let falls = L::splat(1.0) + gap * (L::splat(1.05) + L::splat(2.5) * gap);
-        constants.strength / falls
+        constants.strength * falling(constants, (-proximity.overlap).max(L::splat(0.0)))
+    }
+
+    #[inline(always)]
+    fn jumps<L: Lanes>(constants: &CohesionConstants<L>) -> [L; 2] {
+        [constants.strength, constants.strength * falling(constants, constants.reach)]
     }
 
     #[inline(always)]
     fn felt<L: Lanes>(_: &CohesionConstants<L>, _: L) -> L {
         L::splat(0.0)
     }
+}
+
+/// The pull at this gap over that at touch.
+#[inline(always)]
+fn falling<L: Lanes>(constants: &CohesionConstants<L>, gap: L) -> L {
+    let (one, scaled) = (L::splat(1.0), gap / divisor(constants.length));
+    one / (one + scaled * (L::splat(1.05) + L::splat(2.5) * scaled))
 }

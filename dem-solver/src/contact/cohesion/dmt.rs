@@ -32,6 +32,11 @@ impl Cohesion for Dmt {
     }
 
     #[inline(always)]
+    fn jumps<L: Lanes>(constants: &CohesionConstants<L>) -> [L; 2] {
+        [constants.strength; 2]
+    }
+
+    #[inline(always)]
     fn felt<L: Lanes>(_: &CohesionConstants<L>, attraction: L) -> L {
         -attraction
     }

@@ -55,6 +55,11 @@ impl Cohesion for Jkr {
     }
 
     #[inline(always)]
+    fn jumps<L: Lanes>(constants: &CohesionConstants<L>) -> [L; 2] {
+        [L::splat(4.0 / 3.0) * constants.strength, L::splat(5.0 / 6.0) * constants.strength]
+    }
+
+    #[inline(always)]
     fn felt<L: Lanes>(constants: &CohesionConstants<L>, attraction: L) -> L {
         attraction - L::splat(3.0) * constants.strength
     }

@@ -22,8 +22,10 @@ pub struct Proximity<L> {
     pub bodies: Bodies<L>,
     /// Distance of the centres, or of the centre from the wall \[m\].
     pub distance: L,
-    /// Overlap δ \[m\]; below 0 the gap is -δ.
+    /// Overlap δ \[m\] in the middle of the step; below 0 the gap is -δ.
     pub overlap: L,
+    /// How much nearer they come in the step \[m\].
+    pub travel: L,
 }
 
 /// Two bodies and their radii \[m\].
@@ -64,6 +66,9 @@ pub trait Cohesion {
     /// Attraction A of bodies that touch or, where the law remembers, have touched and are within its reach \[N\]: the
     /// normal force is that of the normal law at the indentation, F_p, less A.
     fn attraction<L: Lanes>(constants: &CohesionConstants<L>, proximity: &Proximity<L>) -> L;
+
+    /// Net pull A - F_p that sets in where bodies begin to touch, and that ends where they are torn apart \[N\].
+    fn jumps<L: Lanes>(constants: &CohesionConstants<L>) -> [L; 2];
 
     /// The part f of the attraction that friction and resistance to rolling feel \[N\]: they follow |F_p - f|.
     fn felt<L: Lanes>(constants: &CohesionConstants<L>, attraction: L) -> L;
@@ -168,18 +173,36 @@ fn hold<C: Cohesion, L: Lanes>(
     bridge: &mut L,
 ) -> Hold<L> {
     let (zero, gap) = (L::splat(0.0), -proximity.overlap);
+    let first = bridge.less(L::splat(0.5));
     *bridge = L::select(touching, L::splat(1.0), bridge.only(gap.less(constants.reach)));
     let held = zero.less(*bridge);
     let proximity = Proximity { overlap: proximity.overlap.only(held), ..*proximity };
     let indentation = C::indentation(constants, proximity.overlap);
     let contact = L::both(held, zero.less(indentation));
-    let attraction = C::attraction(constants, &proximity).only(held);
-    Hold {
-        contact,
-        indentation: indentation.only(contact),
-        attraction,
-        felt: C::felt(constants, attraction).only(held),
-    }
+    let attraction = C::attraction(constants, &proximity);
+    let felt = C::felt(constants, attraction).only(held);
+    let attraction = (attraction + onset::<C, L>(constants, &proximity, first)).only(held);
+    Hold { contact, indentation: indentation.only(contact), attraction, felt }
+}
+
+/// What is to be added to the attraction of a whole step where the pull lasts for a part f of it, or for more \[N\].
+///
+/// Bodies that are d deep in the range of a pull J in the middle of a step h, and move by v h < d, entered it since the middle
+/// of the last step, or leave it before the middle of the next one: the pull lasts for f h in all, f = 1/2 + d/(v h). Then
+/// a pull that sets in or ends at once makes no energy and takes none, wherever in a step it does.
+#[inline(always)]
+fn onset<C: Cohesion, L: Lanes>(
+    constants: &CohesionConstants<L>,
+    proximity: &Proximity<L>,
+    first: L::Mask,
+) -> L {
+    let Proximity { overlap, travel, .. } = *proximity;
+    let (approach, way) = (L::splat(0.0).less(travel), travel.max(-travel));
+    let depth = L::select(approach, L::select(first, overlap, way), overlap + constants.reach);
+    let partly = depth.less(way);
+    let [begun, torn] = C::jumps(constants);
+    let part = depth / L::select(partly, way, L::splat(1.0)) - L::splat(0.5);
+    (L::select(approach, begun, torn) * part).only(partly)
 }
 
 /// The length, or 1 where it is 0, so that no lane divides 0 by 0.

@@ -41,6 +41,11 @@ impl Cohesion for Sjkr {
     }
 
     #[inline(always)]
+    fn jumps<L: Lanes>(_: &CohesionConstants<L>) -> [L; 2] {
+        [L::splat(0.0); 2]
+    }
+
+    #[inline(always)]
     fn felt<L: Lanes>(_: &CohesionConstants<L>, attraction: L) -> L {
         attraction
     }

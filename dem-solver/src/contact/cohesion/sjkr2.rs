@@ -37,6 +37,11 @@ impl Cohesion for Sjkr2 {
     }
 
     #[inline(always)]
+    fn jumps<L: Lanes>(_: &CohesionConstants<L>) -> [L; 2] {
+        [L::splat(0.0); 2]
+    }
+
+    #[inline(always)]
     fn felt<L: Lanes>(_: &CohesionConstants<L>, attraction: L) -> L {
         attraction
     }
