@@ -9,7 +9,7 @@ use super::twisting::Twisting;
 use crate::engine::{Candidate, Chunk, WallContact, extras_near, inherited};
 use crate::fault::Fault;
 use crate::grains::{Grains, Place};
-use crate::lanes::{Lanes, Row8};
+use crate::lanes::Row8;
 use crate::scene::Scene;
 use crate::vector::{Spin, embed, lane, restrict, spin_velocity, unlane};
 use crate::wall::{Nearest, Poses, WallImpulse};

@@ -44,7 +44,8 @@ fn a_sphere_nears_a_wall_and_another_sphere_as_lubrication_theory_has_it() {
         let (place, motion) = (&world.grains.place, &world.grains.motion);
         (place[1].centre.x - place[0].centre.x - 2.0 * RADIUS, motion[0].velocity.x - motion[1].velocity.x)
     };
-    let cases: [(&str, Scene<3>, Vec<Grain<3>>, fn(&World<3>) -> (f64, f64), f64); 2] = [
+    type Measure = fn(&World<3>) -> (f64, f64);
+    let cases: [(&str, Scene<3>, Vec<Grain<3>>, Measure, f64); 2] = [
         ("wall", on_wall, vec![falling], of_sphere, 6.0 * PI * VISCOSITY * RADIUS.powi(2) / mass()),
         (
             "sphere",

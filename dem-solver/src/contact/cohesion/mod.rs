@@ -145,8 +145,8 @@ impl CohesionLaw {
         }
     }
 
-    /// How two bodies hold together that touch or not; `bridge` is 1 where they did in the last step, else 0, and
-    /// afterwards whether they do now.
+    /// How two bodies hold together that touch or not; `bridge` is 1 where the law remembers that they did in the last step,
+    /// else 0, and afterwards whether it remembers that they do now.
     #[inline(always)]
     pub fn hold<L: Lanes>(
         self,
@@ -174,8 +174,11 @@ fn hold<C: Cohesion, L: Lanes>(
 ) -> Hold<L> {
     let (zero, gap) = (L::splat(0.0), -proximity.overlap);
     let first = bridge.less(L::splat(0.5));
-    *bridge = L::select(touching, L::splat(1.0), bridge.only(gap.less(constants.reach)));
-    let held = zero.less(*bridge);
+    let holds = L::select(touching, L::splat(1.0), bridge.only(gap.less(constants.reach)));
+    if C::REMEMBERS {
+        *bridge = holds;
+    }
+    let held = zero.less(holds);
     let proximity = Proximity { overlap: proximity.overlap.only(held), ..*proximity };
     let indentation = C::indentation(constants, proximity.overlap);
     let contact = L::both(held, zero.less(indentation));
@@ -187,7 +190,7 @@ fn hold<C: Cohesion, L: Lanes>(
 
 /// What is to be added to the attraction of a whole step where the pull lasts for a part f of it, or for more \[N\].
 ///
-/// Bodies that are d deep in the range of a pull J in the middle of a step h, and move by v h < d, entered it since the middle
+/// Bodies that are d deep in the range of a pull J in the middle of a step h, and move by v h > d, entered it since the middle
 /// of the last step, or leave it before the middle of the next one: the pull lasts for f h in all, f = 1/2 + d/(v h). Then
 /// a pull that sets in or ends at once makes no energy and takes none, wherever in a step it does.
 #[inline(always)]
