@@ -5,8 +5,8 @@ use std::fmt;
 use crate::bond::Resistance;
 use crate::bonded::links;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal, Onate};
-use crate::contact::{Coefficients, NormalLaw};
-use crate::engine::{Periods, Planes};
+use crate::contact::{Coefficients, ExtraConstants, NormalLaw};
+use crate::engine::{Periods, Planes, extras_near, extras_of_pair, extras_on_wall};
 use crate::error::DemError;
 use crate::grains::{Motion, inertia};
 use crate::scene::Scene;
@@ -159,7 +159,9 @@ fn stiffness<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -
         let all = law.flat_map(|law| scene.materials.pairs().iter().map(|pair| (*law, pair)));
         all.map(|(law, pair)| law.constants(coefficients, pair, 1.0, 0.0).stiffness).fold(0.0, f64::max)
     };
-    let of_contact = |coefficients: &Coefficients, overlap: f64| {
+    // Attraction presses bodies flat: they are as stiff as without it in a contact as wide.
+    let of_contact = |coefficients: &Coefficients, constants: &ExtraConstants, overlap: f64| {
+        let overlap = scene.extras.indentation(constants, overlap);
         let slope = N::slope(coefficients, overlap);
         if !rubs {
             return slope;
@@ -177,7 +179,8 @@ fn stiffness<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -
         for (i, j, coefficients) in chunk.inner.pairs(alike) {
             let overlap = periods.overlap(&place[i], &place[j]);
             if overlap > 0.0 {
-                let stiffness = of_contact(&coefficients, overlap);
+                let constants = extras_of_pair(scene, &world.grains, (i, j), &coefficients);
+                let stiffness = of_contact(&coefficients, &constants, overlap);
                 sums[i] += 2.0 * stiffness;
                 sums[j] += 2.0 * stiffness;
             }
@@ -185,7 +188,9 @@ fn stiffness<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -
         for (grain, plane, coefficients) in chunk.planes.contacts() {
             let overlap = planes.overlap(plane, &place[grain]);
             if overlap > 0.0 {
-                sums[grain] += of_contact(&coefficients, overlap);
+                let material = scene.walls.materials[planes.wall[plane] as usize];
+                let constants = extras_on_wall(scene, &world.grains, grain, material, &coefficients);
+                sums[grain] += of_contact(&coefficients, &constants, overlap);
             }
         }
         for candidate in &chunk.candidates {
@@ -193,7 +198,8 @@ fn stiffness<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>) -
             let centre = grain.at() - scene.shifts[candidate.image.0 as usize];
             let overlap = grain.radius - scene.walls.nearest(candidate.surface, &centre, &walls).distance;
             if overlap > 0.0 {
-                let stiffness = of_contact(&candidate.coefficients, overlap);
+                let constants = extras_near(scene, &world.grains, candidate).unwrap_or_default();
+                let stiffness = of_contact(&candidate.coefficients, &constants, overlap);
                 let wall = scene.walls.surfaces[candidate.surface as usize].wall as usize;
                 let gives_way = scene.walls.servos[wall].is_some();
                 sums[candidate.grain as usize] += if gives_way { 2.0 * stiffness } else { stiffness };

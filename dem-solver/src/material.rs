@@ -36,6 +36,14 @@ pub struct PairMaterial {
     pub rolling_damping_ratio: f64,
     /// Density k of cohesive energy \[J/m³\].
     pub cohesion_energy_density: f64,
+    /// Work of adhesion w \[J/m²\].
+    pub work_of_adhesion: f64,
+    /// Surface tension γ of the liquid between them \[N/m\].
+    pub surface_tension: f64,
+    /// Contact angle θ of the liquid \[rad\].
+    pub contact_angle: f64,
+    /// Volume of a bridge of the liquid over r³ of the smaller grain \[-\].
+    pub bridge_volume_ratio: f64,
 }
 
 impl PairMaterial {
@@ -56,6 +64,10 @@ impl PairMaterial {
             rolling_friction: 0.0,
             rolling_damping_ratio: 0.0,
             cohesion_energy_density: 0.0,
+            work_of_adhesion: 0.0,
+            surface_tension: 0.0,
+            contact_angle: 0.0,
+            bridge_volume_ratio: 0.0,
         }
     }
 }

@@ -106,16 +106,30 @@ impl<const D: usize> Scene<D> {
     }
 
     /// Constants of the laws besides normal and tangential force, of two materials whose contact has these
-    /// coefficients, at this effective radius \[m\] and inertia about the contact \[kg m²\].
+    /// coefficients, at this effective and this smaller radius \[m\] and inertia about the contact \[kg m²\].
     pub fn extra_constants(
         &self,
         materials: (u32, u32),
         coefficients: &Coefficients,
-        radius: f64,
+        (effective, smaller): (f64, f64),
         inertia: f64,
     ) -> ExtraConstants {
         let pair = self.materials.pair(materials.0, materials.1);
-        let rolling = self.extras.rolling.map(|law| law.constants(coefficients, pair, radius, inertia));
-        ExtraConstants { rolling: rolling.unwrap_or_default(), cohesion: pair.cohesion_energy_density }
+        let rolling = self.extras.rolling.map(|law| law.constants(coefficients, pair, effective, inertia));
+        let cohesion = self.extras.cohesion.map(|law| law.constants(pair, effective, smaller));
+        ExtraConstants {
+            rolling: rolling.unwrap_or_default(),
+            cohesion: cohesion.unwrap_or_default(),
+            lubrication: self.extras.lubrication.map_or(0.0, |law| law.strength(effective)),
+            effective_radius: effective,
+        }
+    }
+
+    /// Largest gap over which a grain of this radius and any other body may act on each other \[m\].
+    pub fn reach(&self, largest_radius: f64) -> f64 {
+        let Extras { cohesion, lubrication, .. } = self.extras;
+        let pairs = cohesion.iter().flat_map(|law| self.materials.pairs().iter().map(|pair| (*law, pair)));
+        let reaches = pairs.map(|(law, pair)| law.constants(pair, largest_radius, largest_radius).reach);
+        reaches.fold(lubrication.map_or(0.0, |lubrication| lubrication.cut_off), f64::max)
     }
 }

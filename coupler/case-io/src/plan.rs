@@ -40,6 +40,8 @@ parts! {
     TangentialHistory: "tangential history",
     Rotation: "rotation",
     RollingResistance: "rolling resistance",
+    TwistingResistance: "twisting resistance",
+    Lubrication: "lubrication",
     Cohesion: "cohesion",
     Bonds: "bonds",
     PlaneWalls: "plane walls",

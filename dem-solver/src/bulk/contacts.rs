@@ -1,16 +1,19 @@
 //! All contacts of an instant, with the forces they bear at rest.
 
+use crate::contact::cohesion::{Bodies, Hold, Proximity};
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal, NormalLaw};
 use crate::contact::tangential::{Coulomb, LiggghtsHistory, PartialSlip, Tangential};
-use crate::contact::{COINCIDENT, Coefficients, History, Touch, pressed_surfaces, touch_force};
-use crate::engine::{Chunk, Periods, Planes, inherited};
+use crate::contact::{
+    COINCIDENT, Coefficients, ExtraConstants, History, Touch, surfaces_within, touch_force,
+};
+use crate::engine::{Chunk, Periods, Planes, extras_of_pair, extras_on_wall, inherited};
 use crate::lanes::Vec3;
 use crate::scene::Scene;
 use crate::vector::{Spin, embed, lane, unlane};
 use crate::wall::Poses;
 use crate::world::World;
 
-/// A grain that can move and what it touches.
+/// A grain that can move and what it touches or is held by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// Row of the grain.
@@ -19,6 +22,8 @@ pub struct Contact {
     pub other: Option<usize>,
     /// Unit normal n, from the grain to the other body.
     pub normal: Spin,
+    /// Whether they touch; else liquid between them holds them.
+    pub touches: bool,
     /// Force F on the grain \[N\].
     pub force: Spin,
     /// b \[m\]: to the centre of the other grain, or to the point where the force of a wall or frozen grain acts.
@@ -26,7 +31,7 @@ pub struct Contact {
 }
 
 /// The contacts of the world in the order of the lists, with the force that the laws of the scene give them were all
-/// grains and walls at rest where they are: that of the normal spring and of cohesion, and what the tangential spring
+/// grains and walls at rest where they are: that of the normal spring and of attraction, and what the tangential spring
 /// holds within Coulomb's limit; no dashpot. Bonds are no contacts.
 pub fn contacts_at_rest<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Vec<Contact> {
     match scene.normal_law {
@@ -63,26 +68,31 @@ fn between_grains<const D: usize, N: Normal<D>, T: Tangential>(
         let (one, other) = (&grains.place[i], &grains.place[j]);
         let separation = unlane(periods.nearest(lane(&(other.centre - one.centre))));
         let (distance, reach) = (separation.norm(), one.radius + other.radius);
-        if distance >= reach || distance <= COINCIDENT * reach {
+        if distance <= COINCIDENT * reach {
             continue;
         }
         let (normal, overlap) = (separation / distance, reach - distance);
-        let attraction = scene.extras.cohesion.map_or(0.0, |law| {
-            let pair = scene.materials.pair(grains.material[i], grains.material[j]);
-            pair.cohesion_energy_density * law.area_of_spheres(one.radius, other.radius, distance)
-        });
-        let force =
-            at_rest::<D, N, T>(&coefficients, (normal, overlap), attraction, chunk.inner.springs.get(k));
+        let proximity =
+            Proximity { bodies: Bodies::Spheres(one.radius, other.radius), distance, overlap, travel: 0.0 };
+        let constants = extras_of_pair(scene, grains, (i, j), &coefficients);
+        let spring = chunk.inner.springs.get(k);
+        let Some((force, touches)) =
+            at_rest::<D, N, T>(scene, &coefficients, &constants, (normal, proximity), spring)
+        else {
+            continue;
+        };
         let share = one.radius / reach;
         found.extend(match (grains.motion[i].is_frozen(), grains.motion[j].is_frozen()) {
-            (false, false) => Some(Contact { grain: i, other: Some(j), normal, force, branch: separation }),
+            (false, false) => {
+                Some(Contact { grain: i, other: Some(j), normal, touches, force, branch: separation })
+            }
             (false, true) => {
                 let branch = normal * N::arm(one.radius, overlap, share);
-                Some(Contact { grain: i, other: None, normal, force, branch })
+                Some(Contact { grain: i, other: None, normal, touches, force, branch })
             }
             (true, false) => {
                 let branch = -normal * N::arm(other.radius, overlap, 1.0 - share);
-                Some(Contact { grain: j, other: None, normal: -normal, force: -force, branch })
+                Some(Contact { grain: j, other: None, normal: -normal, touches, force: -force, branch })
             }
             (true, true) => None,
         });
@@ -98,19 +108,9 @@ fn on_planes<const D: usize, N: Normal<D>, T: Tangential>(
 ) {
     for (k, (grain, plane, coefficients)) in chunk.planes.contacts().enumerate() {
         let overlap = planes.overlap(plane, &world.grains.place[grain]);
-        if overlap > 0.0 {
-            let normal = planes.normal(plane as u32);
-            let spring = chunk.planes.springs.get(k);
-            let wall = planes.wall[plane];
-            found.push(on_wall::<D, N, T>(
-                scene,
-                world,
-                (grain, wall),
-                &coefficients,
-                (normal, overlap),
-                spring,
-            ));
-        }
+        let normal = planes.normal(plane as u32);
+        let (pair, spring) = ((grain, planes.wall[plane]), chunk.planes.springs.get(k));
+        found.extend(on_wall::<D, N, T>(scene, world, pair, &coefficients, (normal, overlap), spring));
     }
 }
 
@@ -125,7 +125,7 @@ fn on_surfaces<const D: usize, N: Normal<D>, T: Tangential>(
     for candidates in chunk.candidates.chunk_by(|a, b| a.grain == b.grain) {
         let row = candidates[0].grain;
         let place = &world.grains.place[row as usize];
-        pressed_surfaces(scene, place, candidates, walls, &mut pressed);
+        surfaces_within(scene.reach(place.radius), scene, place, candidates, walls, &mut pressed);
         let begin = chunk.wall_contacts.partition_point(|contact| contact.grain < row);
         let end = chunk.wall_contacts.partition_point(|contact| contact.grain <= row);
         let of_grain = &chunk.wall_contacts[begin..end];
@@ -135,7 +135,7 @@ fn on_surfaces<const D: usize, N: Normal<D>, T: Tangential>(
             let wall = scene.walls.surfaces[surface.candidate.surface as usize].wall;
             let spring = inherited(of_grain, wall, &normal);
             let (pair, coefficients) = ((row as usize, wall), &surface.candidate.coefficients);
-            found.push(on_wall::<D, N, T>(scene, world, pair, coefficients, (normal, overlap), spring));
+            found.extend(on_wall::<D, N, T>(scene, world, pair, coefficients, (normal, overlap), spring));
         }
     }
 }
@@ -147,26 +147,35 @@ fn on_wall<const D: usize, N: Normal<D>, T: Tangential>(
     coefficients: &Coefficients,
     (normal, overlap): (Spin, f64),
     spring: History,
-) -> Contact {
+) -> Option<Contact> {
     let radius = world.grains.place[grain].radius;
-    let attraction = scene.extras.cohesion.map_or(0.0, |law| {
-        let materials = (world.grains.material[grain], scene.walls.materials[wall as usize]);
-        let pair = scene.materials.pair(materials.0, materials.1);
-        pair.cohesion_energy_density * law.area_on_wall(radius, radius - overlap)
-    });
-    let force = at_rest::<D, N, T>(coefficients, (normal, overlap), attraction, spring);
-    Contact { grain, other: None, normal, force, branch: normal * N::arm(radius, overlap, 0.0) }
+    let material = scene.walls.materials[wall as usize];
+    let constants = extras_on_wall(scene, &world.grains, grain, material, coefficients);
+    let bodies = Bodies::SphereAndWall(radius);
+    let proximity = Proximity { bodies, distance: radius - overlap, overlap, travel: 0.0 };
+    let (force, touches) = at_rest::<D, N, T>(scene, coefficients, &constants, (normal, proximity), spring)?;
+    let branch = normal * N::arm(radius, overlap, 0.0);
+    Some(Contact { grain, other: None, normal, touches, force, branch })
 }
 
-/// The force of the laws at no velocity, after no time.
+/// The force of the laws at no velocity, after no time, and whether the bodies touch; nothing where nothing holds them.
 fn at_rest<const D: usize, N: Normal<D>, T: Tangential>(
+    scene: &Scene<D>,
     coefficients: &Coefficients,
-    (normal, overlap): (Spin, f64),
-    attraction: f64,
-    spring: History,
-) -> Spin {
-    let touch = Touch { normal: lane(&normal), overlap, velocity: Vec3::zero() };
-    let (mut spring, mut annuli) = spring.parts();
+    constants: &ExtraConstants,
+    (normal, proximity): (Spin, Proximity<f64>),
+    history: History,
+) -> Option<(Spin, bool)> {
+    if proximity.overlap <= -scene.extras.reach(constants) {
+        return None;
+    }
+    let touching = proximity.overlap > 0.0;
+    let (mut spring, mut annuli) = history.parts();
+    let Hold { contact, indentation, attraction, felt } =
+        scene.extras.hold(constants, &proximity, touching, &mut spring.bridge);
+    let touch = Touch { normal: lane(&normal), overlap: indentation, velocity: Vec3::zero() };
     let memory = (&mut spring, &mut annuli);
-    unlane(touch_force::<D, N, T, f64>(coefficients, &touch, attraction, memory, 0.0).force)
+    let force = touch_force::<D, N, T, f64>(coefficients, &touch, felt, memory, 0.0).force;
+    let force = unlane(force.only(contact)) + normal * attraction;
+    (contact || attraction != 0.0).then_some((force, contact))
 }

@@ -24,15 +24,16 @@ pub fn bulk_titles<const D: usize>(scene: &Scene<D>) -> Vec<String> {
 
 /// The time and the values under these titles.
 pub fn bulk_row<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Vec<f64> {
-    let contacts = contacts_at_rest(scene, world);
-    let count = coordination(&contacts, world.grains.len());
+    let held = contacts_at_rest(scene, world);
+    let touching: Vec<_> = held.iter().filter(|contact| contact.touches).copied().collect();
+    let count = coordination(&touching, world.grains.len());
     let volume = bulk_volume(scene, world);
-    let stress = if volume > 0.0 { contact_stress(&contacts, volume) } else { Tensor::zeros() };
+    let stress = if volume > 0.0 { contact_stress(&held, volume) } else { Tensor::zeros() };
     let counts = [count.touching, count.between_grains, count.on_walls].map(|count| count as f64);
     let mut row = vec![world.time];
     row.extend(counts);
     row.push(count.mean());
-    row.extend(components(&fabric(&contacts)));
+    row.extend(components(&fabric(&touching)));
     row.extend(components(&stress));
     row.push(volume);
     row.extend(kinetic_energies(world));

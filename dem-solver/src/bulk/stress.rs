@@ -5,7 +5,7 @@ use super::tensor::Tensor;
 
 /// Stress that contacts carry, σ_ij = 1/V Σ_c F_i b_j, V the volume \[m³\], positive in tension \[Pa\].
 ///
-/// Contacts with walls count with the branch from the grain's centre to where the wall's force acts, so that σ is the
+/// Bridges of liquid count as contacts, and contacts with walls count with the branch from the grain's centre to where the wall's force acts, so that σ is the
 /// mean of the grains' stresses in a volume that all of them fill up. It is symmetric where no grain is turned. What
 /// fluctuations of the velocity carry, -1/V Σ m v' v', is not in it.
 ///

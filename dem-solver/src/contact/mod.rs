@@ -5,12 +5,14 @@ pub mod cohesion;
 mod energy;
 mod extras;
 mod history;
+pub mod lubrication;
 pub mod normal;
 mod remembered;
 mod restitution;
 pub mod rolling;
 pub mod tangential;
 mod touch;
+pub mod twisting;
 mod walls;
 
 /// Centres nearer than this fraction of the sum of radii have no direction that a force could take.
@@ -25,4 +27,4 @@ pub use remembered::Remembered;
 pub use restitution::{damping_ratio, restitution};
 pub use tangential::{Annuli, Spring};
 pub use touch::{Response, Touch, touch_force};
-pub use walls::{Pressed, pressed_surfaces, wall_forces};
+pub use walls::{Pressed, pressed_surfaces, surfaces_within, wall_forces};

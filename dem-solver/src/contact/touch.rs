@@ -10,7 +10,7 @@ use crate::lanes::{Lanes, Vec3};
 pub struct Touch<L> {
     /// Unit normal n, from the first body to the second.
     pub normal: Vec3<L>,
-    /// Overlap δ > 0 \[m\].
+    /// Overlap δ > 0, or that of bodies without attraction in a contact as wide \[m\].
     pub overlap: L,
     /// Velocity of the first body at the contact relative to the second \[m/s\].
     pub velocity: Vec3<L>,
@@ -21,23 +21,25 @@ pub struct Touch<L> {
 pub struct Response<L> {
     /// Force on the first body \[N\].
     pub force: Vec3<L>,
-    /// |F_n| of all normal forces \[N\].
+    /// |F_n| of all normal forces that friction feels \[N\].
     pub pressing: L,
 }
 
-/// The forces of a normal law, of an attraction \[N\] and of a tangential law; moves the spring by `step` \[s\].
+/// The forces of a normal law and of a tangential law, with an attraction \[N\] that friction feels and that is not among
+/// them; moves the spring by `step` \[s\].
 #[inline(always)]
 pub fn touch_force<const D: usize, N: Normal<D>, T: Tangential, L: Lanes>(
     coefficients: &Coefficients<L>,
     touch: &Touch<L>,
-    attraction: L,
+    felt: L,
     (spring, annuli): (&mut Spring<L>, &mut Annuli<L>),
     step: L,
 ) -> Response<L> {
     let closing = touch.velocity.dot(touch.normal);
-    let normal_force = N::force(coefficients, touch.overlap, closing, step) - attraction;
-    let pressing = normal_force.max(-normal_force);
-    let closing_after = closing - normal_force * coefficients.inverse_mass * step;
+    let push = N::force(coefficients, touch.overlap, closing, step);
+    let felt = push - felt;
+    let pressing = felt.max(-felt);
+    let closing_after = closing - push * coefficients.inverse_mass * step;
     let overlap_ahead = if N::ENDS_STIFF { Some(touch.overlap + closing_after * step) } else { None };
     let sliding = Sliding {
         normal: touch.normal,
@@ -47,5 +49,5 @@ pub fn touch_force<const D: usize, N: Normal<D>, T: Tangential, L: Lanes>(
         step,
     };
     let friction = T::force(coefficients, N::growth(touch.overlap), &sliding, spring, annuli);
-    Response { force: friction - touch.normal * normal_force, pressing }
+    Response { force: friction - touch.normal * push, pressing }
 }

@@ -1,10 +1,12 @@
 //! Forces between grains and walls, one by one.
 
+use super::cohesion::{Bodies, Hold, Proximity};
 use super::history::History;
 use super::normal::Normal;
 use super::rolling::Rolling;
-use super::tangential::{Annuli, Spring, Tangential};
+use super::tangential::{Spring, Tangential};
 use super::touch::{Response, Touch, touch_force};
+use super::twisting::Twisting;
 use crate::engine::{Candidate, Chunk, WallContact, extras_near, inherited};
 use crate::fault::Fault;
 use crate::grains::{Grains, Place};
@@ -18,7 +20,7 @@ use crate::workspace::ChunkScratch;
 /// the deeper overlap, is the same wall going on, not another one.
 const SAME_PLANE: f64 = 1e-9;
 
-/// A surface that a grain presses into.
+/// A surface that a grain presses into, or is near.
 #[derive(Clone, Copy, Debug)]
 pub struct Pressed<const D: usize> {
     /// Its nearest point.
@@ -43,7 +45,8 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
     for candidates in chunk.candidates.chunk_by(|a, b| a.grain == b.grain) {
         let row = candidates[0].grain;
         let place = &grains.place[row as usize];
-        pressed_surfaces(scene, place, candidates, walls, &mut scratch.pressed);
+        let reach = scene.reach(place.radius);
+        surfaces_within(reach, scene, place, candidates, walls, &mut scratch.pressed);
         old = &old[old.partition_point(|contact| contact.grain < row)..];
         let of_grain = &old[..old.partition_point(|contact| contact.grain == row)];
         for pressed in &scratch.pressed {
@@ -53,7 +56,13 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
                 scratch.fault.get_or_insert(Fault::OnWall { grain, wall: pressed.wall });
                 continue;
             }
-            let overlap = place.radius - pressed.nearest.distance;
+            let (mut spring, mut annuli) = inherited(of_grain, pressed.wall, &embed(&normal)).parts();
+            let (coefficients, constants) = (
+                &pressed.candidate.coefficients,
+                extras_near(scene, grains, &pressed.candidate).unwrap_or_default(),
+            );
+            let (bodies, distance) = (Bodies::SphereAndWall(place.radius), pressed.nearest.distance);
+            let overlap = place.radius - distance;
             let arm = normal * N::arm(place.radius, overlap, 0.0);
             let motion = &grains.motion[row as usize];
             let point = place.at::<D>() - scene.shifts[pressed.candidate.image.0 as usize] + arm;
@@ -61,37 +70,41 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
             if let Some(pose) = walls.of(pressed.wall) {
                 velocity -= embed(&pose.velocity_at(&point));
             }
-            let touch = Touch { normal: lane(&embed(&normal)), overlap, velocity: lane(&velocity) };
-            let (mut spring, mut annuli) = if T::REMEMBERS {
-                inherited(of_grain, pressed.wall, &embed(&normal)).parts()
-            } else {
-                (Spring::relaxed(), Annuli::relaxed())
-            };
-            let (coefficients, extras) =
-                (&pressed.candidate.coefficients, extras_near(scene, grains, &pressed.candidate));
-            let attraction = match (scene.extras.cohesion, &extras) {
-                (Some(law), Some(of)) => {
-                    of.cohesion * law.area_on_wall(place.radius, pressed.nearest.distance)
-                }
-                _ => 0.0,
-            };
+            let closing = velocity.dot(&embed(&normal));
+            let proximity = Proximity { bodies, distance, overlap, travel: closing * step };
+            let Hold { contact, indentation, attraction, felt } =
+                scene.extras.hold(&constants, &proximity, overlap > 0.0, &mut spring.bridge);
+            let squeezed = scene.extras.lubrication.map_or(0.0, |law| {
+                law.push(constants.lubrication, coefficients.inverse_mass, -overlap, closing, step)
+            });
+            let touch =
+                Touch { normal: lane(&embed(&normal)), overlap: indentation, velocity: lane(&velocity) };
             let memory = (&mut spring, &mut annuli);
             let Response { force, pressing } =
-                touch_force::<D, N, T, f64>(coefficients, &touch, attraction, memory, step);
-            let force = unlane(force);
+                touch_force::<D, N, T, f64>(coefficients, &touch, felt, memory, step);
             let mut braking = Spin::zeros();
-            if let (Some(law), Some(of), true) = (scene.extras.rolling, &extras, T::REMEMBERS) {
-                let growth = N::growth(overlap);
+            if contact && T::REMEMBERS {
+                let growth = N::growth(indentation);
                 let rolling = Rolling {
                     normal: touch.normal,
                     spin: lane(&motion.angular_velocity) * N::wall_spin(place.radius, overlap),
-                    elastic: coefficients.normal_stiffness * growth.stiffness * overlap,
+                    elastic: coefficients.normal_stiffness * growth.stiffness * indentation,
                     pressing,
                     growth,
                     step,
                 };
-                braking = unlane(law.torque(&of.rolling, &rolling, &mut spring.torque));
+                if let Some(law) = scene.extras.rolling {
+                    braking += unlane(law.torque(&constants.rolling, &rolling, &mut spring.torque));
+                }
+                if let Some(law) = scene.extras.twisting {
+                    let radius = constants.effective_radius;
+                    let twisting = Twisting::new(coefficients, &rolling, indentation, radius);
+                    braking += unlane(touch.normal * law.torque(&twisting, &mut spring.twist));
+                }
             }
+            let bridge = spring.bridge;
+            spring = Spring { bridge, ..spring.only(contact) };
+            let force = unlane(force.only(contact) + touch.normal * (attraction - squeezed));
             let torque = embed(&arm).cross(&force) - braking;
             let load = &mut loads[row as usize - chunk.rows.start].0;
             for axis in 0..3 {
@@ -102,9 +115,10 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
             let mut received = WallImpulse::at(&point, impulse);
             received.angular += braking * step;
             scratch.wall_impulse[pressed.wall as usize] += received;
-            if T::REMEMBERS {
+            if spring.is_active() {
                 let (wall, normal) = (pressed.wall, embed(&normal));
-                let spring = History { spring, annuli: T::SLIPS_IN_PART.then(|| Box::new(annuli)) };
+                let spring =
+                    History { spring, annuli: T::SLIPS_IN_PART.then(|| Box::new(annuli.only(contact))) };
                 chunk.wall_contacts.push(WallContact { grain: row, wall, normal, spring });
             }
         }
@@ -119,12 +133,28 @@ pub fn pressed_surfaces<const D: usize>(
     walls: &Poses<D>,
     pressed: &mut Vec<Pressed<D>>,
 ) {
+    surfaces_within(0.0, scene, place, candidates, walls, pressed);
+}
+
+/// The distinct surfaces within this gap \[m\] of a grain, in their order.
+pub fn surfaces_within<const D: usize>(
+    reach: f64,
+    scene: &Scene<D>,
+    place: &Place,
+    candidates: &[Candidate],
+    walls: &Poses<D>,
+    pressed: &mut Vec<Pressed<D>>,
+) {
     pressed.clear();
     pressed.extend(candidates.iter().filter_map(|&candidate| {
         let surface = &scene.walls.surfaces[candidate.surface as usize];
         let centre = place.at() - scene.shifts[candidate.image.0 as usize];
         let nearest = scene.walls.nearest(candidate.surface, &centre, walls);
-        (nearest.distance < place.radius).then_some(Pressed { nearest, candidate, wall: surface.wall })
+        (nearest.distance < place.radius + reach).then_some(Pressed {
+            nearest,
+            candidate,
+            wall: surface.wall,
+        })
     }));
     keep_distinct(pressed, place.radius);
     // Sums in one order, whether a grain is worked on here or in lanes.
@@ -144,7 +174,7 @@ fn keep_distinct<const D: usize>(pressed: &mut Vec<Pressed<D>>, radius: f64) {
         let arm = candidate.nearest.normal * candidate.nearest.distance;
         let stands_out = pressed[..kept].iter().all(|deeper| {
             let height = deeper.nearest.distance - arm.dot(&deeper.nearest.normal);
-            height > SAME_PLANE * radius + (radius - deeper.nearest.distance)
+            height > SAME_PLANE * radius + (radius - deeper.nearest.distance).max(0.0)
         });
         if stands_out {
             pressed[kept] = candidate;

@@ -11,6 +11,7 @@ use super::periods::Periods;
 use super::springs::Memory;
 use super::wall_contact::WallContact;
 use crate::contact::tangential::{ANNULI, Annuli};
+use crate::contact::twisting::Twist;
 use crate::contact::{History, Remembered, Spring};
 use crate::domain::Image;
 use crate::grains::Grains;
@@ -51,17 +52,30 @@ pub struct ContactArrays {
     pub wall_springs: Vec<f64>,
 }
 
-/// Numbers of a spring: force and stiffness, the torque against rolling, its annuli.
-const ALL: usize = 7 + 3 * ANNULI + 4;
+/// Numbers of a spring: force and stiffness, the torque against rolling, the bridge, the twist, its annuli.
+const ALL: usize = OF_SPRING + 3 * ANNULI + 4;
+/// Those before the annuli.
+const OF_SPRING: usize = 10;
 /// Those that are always stored.
 const FEWEST: usize = 4;
 
 fn all_floats(history: &History) -> [f64; ALL] {
     let mut all = [0.0; ALL];
-    let (Spring { force: f, stiffness, torque: t }, Annuli { force, full_stiffness, normal }) =
-        history.parts();
-    all[..7].copy_from_slice(&[f.x, f.y, f.z, stiffness, t.x, t.y, t.z]);
-    for (row, f) in all[7..].chunks_mut(3).zip(force) {
+    let (Spring { force: f, stiffness, torque: t, bridge, twist }, annuli) = history.parts();
+    let Annuli { force, full_stiffness, normal } = annuli;
+    all[..OF_SPRING].copy_from_slice(&[
+        f.x,
+        f.y,
+        f.z,
+        stiffness,
+        t.x,
+        t.y,
+        t.z,
+        bridge,
+        twist.torque,
+        twist.stiffness,
+    ]);
+    for (row, f) in all[OF_SPRING..].chunks_mut(3).zip(force) {
         row.copy_from_slice(&[f.x, f.y, f.z]);
     }
     all[ALL - 4..].copy_from_slice(&[normal.x, normal.y, normal.z, full_stiffness]);
@@ -76,13 +90,14 @@ fn history(row: &[f64]) -> History {
     let mut all = [0.0; ALL];
     all[..row.len()].copy_from_slice(row);
     let vector = |at: usize| Vec3::new(all[at], all[at + 1], all[at + 2]);
-    let spring = Spring { force: vector(0), stiffness: all[3], torque: vector(4) };
+    let twist = Twist { torque: all[8], stiffness: all[9] };
+    let spring = Spring { force: vector(0), stiffness: all[3], torque: vector(4), bridge: all[7], twist };
     let annuli = Annuli {
-        force: std::array::from_fn(|k| vector(7 + 3 * k)),
+        force: std::array::from_fn(|k| vector(OF_SPRING + 3 * k)),
         normal: vector(ALL - 4),
         full_stiffness: all[ALL - 1],
     };
-    History { spring, annuli: (row.len() > 7).then(|| Box::new(annuli)) }
+    History { spring, annuli: (row.len() > OF_SPRING).then(|| Box::new(annuli)) }
 }
 
 /// How many numbers of the springs must be stored so that none is lost.

@@ -1,7 +1,9 @@
 //! Eight contacts side by side.
 
+use crate::contact::cohesion::CohesionConstants;
 use crate::contact::rolling::RollingConstants;
 use crate::contact::tangential::{ANNULI, Annuli};
+use crate::contact::twisting::Twist;
 use crate::contact::{Coefficients, ExtraConstants, Spring};
 use crate::lanes::{Lanes, Vec3};
 
@@ -43,14 +45,14 @@ pub struct SpringBlock {
 }
 
 impl SpringBlock {
-    /// The springs from this lane on; their torques are in a [`TorqueBlock`].
+    /// The springs from this lane on; torques, bridges and twists are in blocks of their own.
     #[inline(always)]
     pub fn load<L: Lanes>(&self, lane: usize) -> Spring<L> {
         let [x, y, z] = &self.force;
         Spring {
             force: Vec3::load(&x[lane..], &y[lane..], &z[lane..]),
             stiffness: L::load(&self.stiffness[lane..]),
-            torque: Vec3::zero(),
+            ..Spring::relaxed()
         }
     }
 
@@ -202,25 +204,70 @@ impl AnnuliBlock {
     }
 }
 
+/// Whether something holds the bodies of eight contacts together.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C, align(64))]
+pub struct BridgeBlock([f64; WIDTH]);
+
+impl BridgeBlock {
+    /// The bridges from this lane on.
+    #[inline(always)]
+    pub fn load<L: Lanes>(&self, lane: usize) -> L {
+        L::load(&self.0[lane..])
+    }
+
+    /// Stores bridges from this lane on.
+    #[inline(always)]
+    pub fn store<L: Lanes>(&mut self, lane: usize, bridge: L) {
+        bridge.store(&mut self.0[lane..]);
+    }
+}
+
+/// What the springs against twisting of eight contacts hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C, align(64))]
+pub struct TwistBlock([[f64; WIDTH]; 2]);
+
+impl TwistBlock {
+    /// The twists from this lane on.
+    #[inline(always)]
+    pub fn load<L: Lanes>(&self, lane: usize) -> Twist<L> {
+        let [torque, stiffness] = self.0.each_ref().map(|row| L::load(&row[lane..]));
+        Twist { torque, stiffness }
+    }
+
+    /// Stores twists from this lane on.
+    #[inline(always)]
+    pub fn store<L: Lanes>(&mut self, lane: usize, twist: Twist<L>) {
+        let [torque, stiffness] = &mut self.0;
+        twist.torque.store(&mut torque[lane..]);
+        twist.stiffness.store(&mut stiffness[lane..]);
+    }
+}
+
 /// Constants of the laws besides normal and tangential force, of eight contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C, align(64))]
-pub struct ExtrasBlock([[f64; WIDTH]; 5]);
+pub struct ExtrasBlock([[f64; WIDTH]; 9]);
 
 impl ExtrasBlock {
     /// Constants from this lane on.
     #[inline(always)]
     pub fn load<L: Lanes>(&self, lane: usize) -> ExtraConstants<L> {
-        let [friction, effective_radius, stiffness, damping, cohesion] =
+        let [friction, rolled, stiffness, damping, strength, length, reach, lubrication, effective_radius] =
             self.0.each_ref().map(|row| L::load(&row[lane..]));
-        let rolling = RollingConstants { friction, effective_radius, stiffness, damping };
-        ExtraConstants { rolling, cohesion }
+        let rolling = RollingConstants { friction, effective_radius: rolled, stiffness, damping };
+        let cohesion = CohesionConstants { strength, length, reach };
+        ExtraConstants { rolling, cohesion, lubrication, effective_radius }
     }
 
     /// Sets one contact.
     pub fn set(&mut self, lane: usize, constants: &ExtraConstants) {
-        let RollingConstants { friction, effective_radius, stiffness, damping } = constants.rolling;
-        let all = [friction, effective_radius, stiffness, damping, constants.cohesion];
+        let ExtraConstants { rolling, cohesion, lubrication, effective_radius } = *constants;
+        let RollingConstants { friction, effective_radius: rolled, stiffness, damping } = rolling;
+        let CohesionConstants { strength, length, reach } = cohesion;
+        let all =
+            [friction, rolled, stiffness, damping, strength, length, reach, lubrication, effective_radius];
         for (row, constant) in self.0.iter_mut().zip(all) {
             row[lane] = constant;
         }

@@ -96,7 +96,7 @@ pub fn extras_of_pair<const D: usize>(
     let (one, other) =
         (inertia_about_contact::<D>(grains.mass[i], a), inertia_about_contact::<D>(grains.mass[j], b));
     let materials = (grains.material[i], grains.material[j]);
-    scene.extra_constants(materials, coefficients, a * b / (a + b), one * other / (one + other))
+    scene.extra_constants(materials, coefficients, (a * b / (a + b), a.min(b)), one * other / (one + other))
 }
 
 /// The same of a grain and a wall of this material.
@@ -109,7 +109,7 @@ pub fn extras_on_wall<const D: usize>(
 ) -> ExtraConstants {
     let radius = grains.place[row].radius;
     let inertia = inertia_about_contact::<D>(grains.mass[row], radius);
-    scene.extra_constants((grains.material[row], wall), coefficients, radius, inertia)
+    scene.extra_constants((grains.material[row], wall), coefficients, (radius, radius), inertia)
 }
 
 /// I + m r² \[kg m²\].

@@ -110,12 +110,12 @@ impl Kernels<'_> {
     ) -> Option<(u32, u32)> {
         let InnerPairs { blocks, springs, constants, extras, .. } = &mut chunk.inner;
         let (constants, laws) = (constants.as_slice(), self.extras);
-        let Springs { forces, torques, annuli } = springs;
+        let Springs { forces, torques, bridges, twists, annuli } = springs;
         let springs = (forces.as_mut_slice(), annuli.as_mut_slice());
         match self.alike {
             Some(alike) => self.pairs::<N, T, _, _>(blocks, springs, alike, NoExtras, loads),
             None if laws.any() => {
-                let extras = ChosenExtras { laws, constants: extras, torques };
+                let extras = ChosenExtras { laws, constants: extras, torques, bridges, twists };
                 self.pairs::<N, T, _, _>(blocks, springs, constants, extras, loads)
             }
             None => self.pairs::<N, T, _, _>(blocks, springs, constants, NoExtras, loads),
@@ -147,11 +147,11 @@ impl Kernels<'_> {
 
     fn planes_by_law<N: Normal<3>, T: Tangential>(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) {
         let NearPlanes { blocks, springs, constants, extras, .. } = &mut chunk.planes;
-        let Springs { forces, torques, annuli } = springs;
+        let Springs { forces, torques, bridges, twists, annuli } = springs;
         let springs = (forces.as_mut_slice(), annuli.as_mut_slice());
         let laws = self.extras;
         if laws.any() {
-            let extras = ChosenExtras { laws, constants: extras, torques };
+            let extras = ChosenExtras { laws, constants: extras, torques, bridges, twists };
             self.planes::<N, T, _>(blocks, springs, constants, extras, loads);
         } else {
             self.planes::<N, T, _>(blocks, springs, constants, NoExtras, loads);

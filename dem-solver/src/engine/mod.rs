@@ -37,7 +37,7 @@ mod wall_contact;
 pub use approach::{Approach, Fastest};
 pub use archive::ContactArrays;
 pub use chunk::{Chunk, ranges};
-pub use constants::Alike;
+pub use constants::{Alike, extras_of_pair, extras_on_wall};
 pub use forces::forces;
 pub use grid::Grid;
 pub use list::{ContactList, Counters, Skins};

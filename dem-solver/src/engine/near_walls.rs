@@ -15,14 +15,14 @@ use crate::wall::Poses;
 /// A contact inherits the spring of one with the same wall in the last step whose normal is within 30°.
 const SAME_CONTACT: f64 = 0.866;
 
-/// The grains of a chunk that are nearer to a wall than `skin` \[m\], the walls in these poses. A grain that only planes at
+/// The grains of a chunk that are nearer to a wall than `reach` \[m\], the walls in these poses. A grain that only planes at
 /// rest are near is worked on in lanes, all others one by one; springs stay with their contacts.
 pub fn find_near_walls<const D: usize>(
     scene: &Scene<D>,
     grains: &Grains,
     planes: &Planes,
     poses: &Poses<D>,
-    skin: f64,
+    reach: f64,
     chunk: &mut Chunk,
 ) {
     chunk.stow_planes();
@@ -32,7 +32,7 @@ pub fn find_near_walls<const D: usize>(
     let (first, mut near) = (chunk.rows.start as u32, Vec::new());
     for row in chunk.rows.clone().filter(|&row| !grains.motion[row].is_frozen()) {
         near.clear();
-        surfaces_near(scene, grains, poses, skin, row, &mut near);
+        surfaces_near(scene, grains, poses, reach, row, &mut near);
         old = &old[old.partition_point(|contact| (contact.grain as usize) < row)..];
         let of_grain = &old[..old.partition_point(|contact| contact.grain as usize == row)];
         if near.iter().all(|candidate| planes.of_surface(candidate.surface).is_some()) {
@@ -94,13 +94,13 @@ fn surfaces_near<const D: usize>(
     scene: &Scene<D>,
     grains: &Grains,
     poses: &Poses<D>,
-    skin: f64,
+    reach: f64,
     row: usize,
     near: &mut Vec<Candidate>,
 ) {
     let here = Image::new([0; D]);
     let place = &grains.place[row];
-    let reach = place.radius + skin;
+    let reach = place.radius + reach;
     let mut found = Vec::new();
     for code in 0..scene.shifts.len() as u32 {
         let image = Image(code);

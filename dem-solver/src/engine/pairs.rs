@@ -6,6 +6,7 @@ use super::block::{AnnuliBlock, PairBlock, SpringBlock, WIDTH};
 use super::constants::PairConstants;
 use super::extras::ExtraForces;
 use super::periods::Periods;
+use crate::contact::cohesion::{Bodies, Hold, Proximity};
 use crate::contact::normal::Normal;
 use crate::contact::rolling::Rolling;
 use crate::contact::tangential::{Annuli, Spring, Tangential};
@@ -86,7 +87,13 @@ where
         } else {
             first_coincident(L::bits(distinct), &i[..L::WIDTH], &j[..L::WIDTH])
         };
-        if !L::any(touching) {
+        let near = if X::ANY {
+            let within = reach + self.extras.reach::<L>((block, lane));
+            L::both(squared.less(within * within), distinct)
+        } else {
+            touching
+        };
+        if !L::any(near) {
             if T::REMEMBERS {
                 self.springs[block].relax::<L>(lane);
             }
@@ -98,11 +105,16 @@ where
         }
         let distance = squared.sqrt();
         let normal = separation * (L::splat(1.0) / distance);
-        let overlap = (reach - distance).only(touching);
+        let bodies = Bodies::Spheres(radius_i, radius_j);
+        let [velocity, spin] = unsafe { L::difference_and_sum8(self.motions, i, j) };
+        let (closing, step) = (velocity.dot(normal), L::splat(self.step));
+        let proximity = Proximity { bodies, distance, overlap: reach - distance, travel: closing * step };
+        let at = (block, lane);
+        let Hold { contact, indentation, attraction, felt } = self.extras.hold(at, &proximity, touching);
+        let overlap = proximity.overlap.only(contact);
         let share = radius_i / reach;
         let arm_i = N::arm(radius_i, overlap, share);
         let arm_j = N::arm(radius_j, overlap, L::splat(1.0) - share);
-        let [velocity, spin] = unsafe { L::difference_and_sum8(self.motions, i, j) };
         // a_i ω_i + a_j ω_j = (a_i + a_j)/2 (ω_i + ω_j) + (a_i - a_j)/2 (ω_i - ω_j)
         let turning = if !T::REMEMBERS {
             Vec3::zero()
@@ -113,36 +125,38 @@ where
             let half = L::splat(0.5);
             spin * ((arm_i + arm_j) * half) + unequal * ((arm_i - arm_j) * half)
         };
-        let touch = Touch { normal, overlap, velocity: velocity + turning.cross(normal) };
+        let touch = Touch { normal, overlap: indentation, velocity: velocity + turning.cross(normal) };
         let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
         let mut annuli = if T::SLIPS_IN_PART { self.annuli[block].load(lane) } else { Annuli::relaxed() };
         let coefficients = self.constants.coefficients::<L>(block, lane);
-        let (at, step) = ((block, lane), L::splat(self.step));
-        let attraction = self.extras.between_spheres(at, (radius_i, radius_j), distance);
         let memory = (&mut spring, &mut annuli);
         let Response { force, pressing } =
-            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, memory, step);
-        let force = force.only(touching);
+            touch_force::<3, N, T, L>(&coefficients, &touch, felt, memory, step);
+        let mut force = force.only(contact);
         if T::REMEMBERS {
-            self.springs[block].store(lane, &spring.only(touching));
+            self.springs[block].store(lane, &spring.only(contact));
         }
         if T::SLIPS_IN_PART {
-            self.annuli[block].store(lane, &annuli.only(touching));
+            self.annuli[block].store(lane, &annuli.only(contact));
         }
-        let moment = if T::REMEMBERS { normal.cross(force).only(touching) } else { Vec3::zero() };
+        let moment = if T::REMEMBERS { normal.cross(force).only(contact) } else { Vec3::zero() };
         let (mut torque_i, mut torque_j) = (moment * arm_i, moment * arm_j);
         if X::ANY && T::REMEMBERS {
-            let growth = N::growth(overlap);
+            let growth = N::growth(indentation);
             let rolling = Rolling {
                 normal,
                 spin: unsafe { L::difference_of_second_half(self.motions, i, j) },
-                elastic: coefficients.normal_stiffness * growth.stiffness * overlap,
+                elastic: coefficients.normal_stiffness * growth.stiffness * indentation,
                 pressing,
                 growth,
                 step,
             };
-            let braking = self.extras.braking(at, &rolling, touching);
+            let braking = self.extras.braking(at, &coefficients, &rolling, indentation, contact);
             (torque_i, torque_j) = (torque_i - braking, torque_j + braking);
+        }
+        if X::ANY {
+            let squeezed = self.extras.lubrication(at, &coefficients, proximity.overlap, closing, step);
+            force = force + (normal * (attraction - squeezed)).only(near);
         }
         unsafe {
             if C::ALIKE {

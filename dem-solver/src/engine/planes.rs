@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use super::block::{AnnuliBlock, ConstantsBlock, PlaneBlock, SpringBlock, WIDTH};
 use super::extras::ExtraForces;
+use crate::contact::cohesion::{Bodies, Hold, Proximity};
 use crate::contact::normal::Normal;
 use crate::contact::rolling::Rolling;
 use crate::contact::tangential::{Annuli, Spring, Tangential};
@@ -63,7 +64,9 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
         let centre = Vec3::new(x, y, z);
         let distance = centre.dot(outward) - offset;
         let touching = distance.less(radius);
-        if !L::any(touching) {
+        let near =
+            if X::ANY { distance.less(radius + self.extras.reach::<L>((block, lane))) } else { touching };
+        if !L::any(near) {
             if T::REMEMBERS {
                 self.springs[block].relax::<L>(lane);
             }
@@ -73,41 +76,48 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
             self.extras.relax::<L>((block, lane));
             return;
         }
-        let overlap = (radius - distance).only(touching);
-        let arm = N::arm(radius, overlap, L::splat(0.0));
+        let bodies = Bodies::SphereAndWall(radius);
         let [velocity, spin] = unsafe { L::columns8(self.motions, grain) };
         let normal = -outward;
+        let (closing, step) = (velocity.dot(normal), L::splat(self.step));
+        let proximity = Proximity { bodies, distance, overlap: radius - distance, travel: closing * step };
+        let at = (block, lane);
+        let Hold { contact, indentation, attraction, felt } = self.extras.hold(at, &proximity, touching);
+        let overlap = proximity.overlap.only(contact);
+        let arm = N::arm(radius, overlap, L::splat(0.0));
         let turning = if T::REMEMBERS { spin * arm } else { Vec3::zero() };
-        let touch = Touch { normal, overlap, velocity: velocity + turning.cross(normal) };
+        let touch = Touch { normal, overlap: indentation, velocity: velocity + turning.cross(normal) };
         let mut spring = if T::REMEMBERS { self.springs[block].load(lane) } else { Spring::relaxed() };
         let mut annuli = if T::SLIPS_IN_PART { self.annuli[block].load(lane) } else { Annuli::relaxed() };
         let coefficients = self.constants[block].coefficients::<L>(lane);
-        let (at, step) = ((block, lane), L::splat(self.step));
-        let attraction = self.extras.to_wall(at, radius, distance);
         let memory = (&mut spring, &mut annuli);
         let Response { force, pressing } =
-            touch_force::<3, N, T, L>(&coefficients, &touch, attraction, memory, step);
-        let force = force.only(touching);
+            touch_force::<3, N, T, L>(&coefficients, &touch, felt, memory, step);
+        let mut force = force.only(contact);
         if T::REMEMBERS {
-            self.springs[block].store(lane, &spring.only(touching));
+            self.springs[block].store(lane, &spring.only(contact));
         }
         if T::SLIPS_IN_PART {
-            self.annuli[block].store(lane, &annuli.only(touching));
+            self.annuli[block].store(lane, &annuli.only(contact));
         }
         let mut torque = if T::REMEMBERS { normal.cross(force) * arm } else { Vec3::zero() };
+        if X::ANY {
+            let squeezed = self.extras.lubrication(at, &coefficients, proximity.overlap, closing, step);
+            force = force + (normal * (attraction - squeezed)).only(near);
+        }
         let point = centre + normal * arm;
         let mut reaction = force.cross(point);
         if X::ANY && T::REMEMBERS {
-            let growth = N::growth(overlap);
+            let growth = N::growth(indentation);
             let rolling = Rolling {
                 normal,
                 spin: spin * N::wall_spin(radius, overlap),
-                elastic: coefficients.normal_stiffness * growth.stiffness * overlap,
+                elastic: coefficients.normal_stiffness * growth.stiffness * indentation,
                 pressing,
                 growth,
                 step,
             };
-            let braking = self.extras.braking(at, &rolling, touching);
+            let braking = self.extras.braking(at, &coefficients, &rolling, indentation, contact);
             (torque, reaction) = (torque - braking, reaction + braking);
         }
         unsafe {

@@ -1,6 +1,6 @@
 //! What the contacts of a list remember.
 
-use super::block::{AnnuliBlock, SpringBlock, TorqueBlock, WIDTH};
+use super::block::{AnnuliBlock, BridgeBlock, SpringBlock, TorqueBlock, TwistBlock, WIDTH};
 use crate::contact::{History, NormalLaw, Spring};
 use crate::scene::Scene;
 
@@ -11,6 +11,10 @@ pub struct Memory {
     pub force: bool,
     /// The torque of the spring against rolling.
     pub torque: bool,
+    /// Whether something holds the bodies together.
+    pub bridge: bool,
+    /// Torque and stiffness of the spring against twisting.
+    pub twist: bool,
     /// Annuli that slip one by one.
     pub annuli: bool,
 }
@@ -22,6 +26,8 @@ impl Memory {
         Self {
             force,
             torque: force && scene.extras.rolling.is_some_and(|law| law.remembers()),
+            bridge: scene.extras.cohesion.is_some_and(|law| law.remembers()),
+            twist: force && scene.extras.twisting.is_some(),
             annuli: force && matches!(scene.normal_law, NormalLaw::HertzPartialSlip(_)),
         }
     }
@@ -39,6 +45,10 @@ pub struct Springs {
     pub forces: Vec<SpringBlock>,
     /// What the springs against rolling hold; empty without them.
     pub torques: Vec<TorqueBlock>,
+    /// Whether something holds the bodies together; empty where nothing outlasts touch.
+    pub bridges: Vec<BridgeBlock>,
+    /// What the springs against twisting hold; empty without them.
+    pub twists: Vec<TwistBlock>,
     /// Their annuli; empty unless contacts slip in part.
     pub annuli: Vec<AnnuliBlock>,
 }
@@ -59,6 +69,12 @@ impl Springs {
         if memory.torque {
             self.torques.push(TorqueBlock::default());
         }
+        if memory.bridge {
+            self.bridges.push(BridgeBlock::default());
+        }
+        if memory.twist {
+            self.twists.push(TwistBlock::default());
+        }
         if memory.annuli {
             self.annuli.push(AnnuliBlock::default());
         }
@@ -66,7 +82,7 @@ impl Springs {
 
     /// Whether contacts remember nothing.
     pub fn is_empty(&self) -> bool {
-        self.forces.is_empty()
+        self.forces.is_empty() && self.bridges.is_empty()
     }
 
     /// The spring of a contact; relaxed if contacts remember nothing.
@@ -75,6 +91,12 @@ impl Springs {
         let mut spring = self.forces.get(block).map_or(Spring::relaxed(), |forces| forces.load(lane));
         if let Some(torques) = self.torques.get(block) {
             spring.torque = torques.load(lane);
+        }
+        if let Some(bridges) = self.bridges.get(block) {
+            spring.bridge = bridges.load(lane);
+        }
+        if let Some(twists) = self.twists.get(block) {
+            spring.twist = twists.load(lane);
         }
         let annuli = self.annuli.get(block).map(|annuli| Box::new(annuli.load(lane)));
         History { spring, annuli }
@@ -89,6 +111,12 @@ impl Springs {
         }
         if let Some(torques) = self.torques.get_mut(block) {
             torques.store(lane, spring.torque);
+        }
+        if let Some(bridges) = self.bridges.get_mut(block) {
+            bridges.store(lane, spring.bridge);
+        }
+        if let Some(twists) = self.twists.get_mut(block) {
+            twists.store(lane, spring.twist);
         }
         if let (Some(blocks), Some(annuli)) = (self.annuli.get_mut(block), annuli) {
             blocks.store(lane, annuli);
@@ -107,6 +135,8 @@ impl Springs {
     pub fn clear(&mut self) {
         self.forces.clear();
         self.torques.clear();
+        self.bridges.clear();
+        self.twists.clear();
         self.annuli.clear();
     }
 
@@ -114,6 +144,8 @@ impl Springs {
     pub fn copy_from(&mut self, other: &Self) {
         self.forces.clone_from(&other.forces);
         self.torques.clone_from(&other.torques);
+        self.bridges.clone_from(&other.bridges);
+        self.twists.clone_from(&other.twists);
         self.annuli.clone_from(&other.annuli);
     }
 }

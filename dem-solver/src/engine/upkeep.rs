@@ -75,29 +75,31 @@ fn find_pairs<const D: usize>(
     step: f64,
 ) -> Result<(), DemError> {
     let (diameter, approach) = (world.grains.mean_diameter(), world.contacts.approach.between_grains);
+    let largest = world.grains.largest_radius();
+    let reach = scene.reach(largest);
     let World { grains, contacts, bonds, .. } = world;
     let periods = &workspace.periods;
     let shortest = (0..3).filter_map(|axis| periods.axis(axis)).map(|(_, period)| period);
-    // Each neighbour must be seen once: half a period holds two largest grains and the skin.
-    let room = 0.5 * shortest.fold(f64::INFINITY, f64::min) - 2.0 * grains.largest_radius();
+    // Each neighbour must be seen once: half a period holds two largest grains, the reach of their laws and the skin.
+    let room = 0.5 * shortest.fold(f64::INFINITY, f64::min) - 2.0 * largest - reach;
     let least = OUTER_SKIN.0 * diameter;
     let outer = skin(approach, step, OUTER_STEPS, OUTER_SKIN, diameter).min(0.999 * room).max(least);
     let inner = skin(approach, step, INNER_STEPS, INNER_SKIN, diameter).min(0.1 * outer);
-    let reach = 2.0 * grains.largest_radius() + outer;
+    let seen = 2.0 * largest + reach + outer;
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        if let Some((_, period)) = periods.axis(axis).filter(|(_, period)| *period <= 2.0 * reach) {
-            return Err(DemError::PeriodTooShort { axis: name, period, least: 2.0 * reach });
+        if let Some((_, period)) = periods.axis(axis).filter(|(_, period)| *period <= 2.0 * seen) {
+            return Err(DemError::PeriodTooShort { axis: name, period, least: 2.0 * seen });
         }
     }
     contacts.fit(grains.len());
     contacts.skins = Skins { outer, inner, ..contacts.skins };
     contacts.alike = Alike::of(scene, grains);
-    let levels = Levels::new(grains, periods, outer);
+    let levels = Levels::new(grains, periods, reach + outer);
     let (backend, grains) = (workspace.backend, &*grains);
     let apart = workspace.links.without_contact(&scene.bond_laws, bonds);
     contacts.chunks.par_iter_mut().for_each(|chunk| {
         chunk.stow_pairs();
-        find_outer(backend, grains, (&levels, periods), outer, &apart, chunk);
+        find_outer(backend, grains, (&levels, periods), reach + outer, &apart, chunk);
     });
     find_stretches(&mut contacts.chunks);
     contacts.spent.outer = 0.0;
@@ -113,7 +115,7 @@ fn refresh_pairs<const D: usize>(scene: &Scene<D>, world: &mut World<D>, workspa
         scene,
         grains,
         periods: &workspace.periods,
-        gap: contacts.skins.inner,
+        gap: contacts.skins.inner + scene.reach(grains.largest_radius()),
         alike: contacts.alike.is_some(),
     };
     contacts.chunks.par_iter_mut().for_each(|chunk| refresh.run(workspace.backend, chunk));
@@ -124,8 +126,8 @@ fn refresh_pairs<const D: usize>(scene: &Scene<D>, world: &mut World<D>, workspa
 fn find_walls<const D: usize>(scene: &Scene<D>, world: &mut World<D>, workspace: &Workspace<D>, step: f64) {
     let (diameter, approach) = (world.grains.mean_diameter(), world.contacts.approach.to_walls);
     let World { grains, contacts, slides, .. } = world;
-    let reach = skin(approach, step, OUTER_STEPS, OUTER_SKIN, diameter);
-    contacts.skins.walls = reach;
+    contacts.skins.walls = skin(approach, step, OUTER_STEPS, OUTER_SKIN, diameter);
+    let reach = contacts.skins.walls + scene.reach(grains.largest_radius());
     let (planes, poses) = (&workspace.planes, &workspace.walls);
     contacts.chunks.par_iter_mut().for_each(|chunk| {
         find_near_walls(scene, grains, planes, poses, reach, chunk);

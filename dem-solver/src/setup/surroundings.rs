@@ -8,8 +8,10 @@ use super::bonds::laws;
 use super::deletion::deletions;
 use super::walls::walls;
 use crate::contact::cohesion::CohesionLaw;
+use crate::contact::lubrication::Lubrication;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Onate};
 use crate::contact::rolling::RollingLaw;
+use crate::contact::twisting::TwistingLaw;
 use crate::contact::{Extras, NormalLaw};
 use crate::domain::Domain;
 use crate::error::DemError;
@@ -109,6 +111,10 @@ fn materials(case: &Case, touch: bool) -> Result<Materials, CaseError> {
         of.rolling_friction = pair.rolling_friction.unwrap_or(0.0);
         of.rolling_damping_ratio = pair.rolling_damping_ratio.unwrap_or(0.0);
         of.cohesion_energy_density = pair.cohesion_energy_density.map_or(0.0, |density| density.si());
+        of.work_of_adhesion = pair.work_of_adhesion.map_or(0.0, |work| work.si());
+        of.surface_tension = pair.surface_tension.map_or(0.0, |tension| tension.si());
+        of.contact_angle = pair.contact_angle.map_or(0.0, |angle| angle.si());
+        of.bridge_volume_ratio = pair.bridge_volume_ratio.unwrap_or(0.0);
     };
     let micro = |index: usize| document.materials[names[index]].micro;
     Ok(Materials::new(list.collect::<Result<_, CaseError>>()?, pair).with(more).with_micro(micro))
@@ -121,9 +127,20 @@ fn extras(grains: &document::Grains) -> Extras {
             document::RollingLaw::Epsd => RollingLaw::Epsd,
             document::RollingLaw::Epsd2 => RollingLaw::Epsd2,
         }),
+        twisting: grains.twisting_law.map(|law| match law {
+            document::TwistingLaw::Marshall => TwistingLaw::Marshall,
+        }),
+        lubrication: grains.lubrication.map(|film| Lubrication {
+            viscosity: film.viscosity.si(),
+            roughness: film.roughness.si(),
+            cut_off: film.cut_off.si(),
+        }),
         cohesion: grains.cohesion_law.map(|law| match law {
             document::CohesionLaw::Sjkr => CohesionLaw::Sjkr,
             document::CohesionLaw::Sjkr2 => CohesionLaw::Sjkr2,
+            document::CohesionLaw::Dmt => CohesionLaw::Dmt,
+            document::CohesionLaw::Jkr => CohesionLaw::Jkr,
+            document::CohesionLaw::Capillary => CohesionLaw::Capillary,
         }),
     }
 }

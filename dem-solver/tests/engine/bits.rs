@@ -3,7 +3,8 @@
 use dem_solver::lanes::Backend;
 use dem_solver::{Scene, Workspace, World, turn_over, window};
 
-use super::scenes::{HERTZ, HOOKE, PARTIAL_SLIP, STEP, boxed, periodic, sticky};
+use super::scenes::{HERTZ, HOOKE, PARTIAL_SLIP, STEP, adhesive, boxed, periodic, sticky};
+use dem_solver::contact::cohesion::CohesionLaw;
 
 /// The world after some windows.
 fn end((scene, world): &(Scene<3>, World<3>), backend: Backend, threads: usize) -> World<3> {
@@ -35,6 +36,8 @@ fn every_set_of_lanes_computes_the_same_bits() {
         periodic(6, true),
         sticky(5, false),
         sticky(5, true),
+        adhesive(5, CohesionLaw::Jkr, 0.5),
+        adhesive(5, CohesionLaw::Capillary, 0.0),
     ];
     let all = Backend::available();
     for (k, scene) in scenes.iter().enumerate() {
@@ -52,6 +55,7 @@ fn two_and_four_threads_compute_the_same_bits_as_one() {
         boxed(30, true, PARTIAL_SLIP, 0.5),
         periodic(30, false),
         sticky(30, true),
+        adhesive(30, CohesionLaw::Jkr, 0.5),
     ] {
         let one = end(&scene, Backend::best(), 1);
         assert!(end(&scene, Backend::best(), 2) == one);

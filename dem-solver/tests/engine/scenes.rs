@@ -1,8 +1,10 @@
 //! Scenes that meet every branch of the engine.
 
 use dem_solver::contact::cohesion::CohesionLaw;
+use dem_solver::contact::lubrication::Lubrication;
 use dem_solver::contact::normal::{Hertz, Hooke};
 use dem_solver::contact::rolling::RollingLaw;
+use dem_solver::contact::twisting::TwistingLaw;
 use dem_solver::contact::{Extras, NormalLaw};
 use dem_solver::wall::{Wall, Walls};
 use dem_solver::{Domain, Grain, Material, Materials, Scene, World};
@@ -81,6 +83,26 @@ pub fn sticky(layers: usize, mixed: bool) -> (Scene<3>, World<3>) {
         pair.rolling_damping_ratio = 0.3;
         pair.cohesion_energy_density = 2e4;
     });
-    scene.extras = Extras { rolling: Some(RollingLaw::Epsd), cohesion: Some(CohesionLaw::Sjkr) };
+    scene.extras =
+        Extras { rolling: Some(RollingLaw::Epsd), cohesion: Some(CohesionLaw::Sjkr), ..Extras::default() };
+    (scene, world)
+}
+
+/// The heap in a box, lubricated, with bridges of liquid or necks of solid between grains that resist twisting.
+pub fn adhesive(layers: usize, law: CohesionLaw, friction: f64) -> (Scene<3>, World<3>) {
+    let (mut scene, world) = boxed(layers, true, HERTZ, friction);
+    scene.materials = scene.materials.with(|a, b, pair| {
+        pair.work_of_adhesion = 0.05 + 0.02 * (a + b) as f64;
+        pair.surface_tension = 0.07;
+        pair.contact_angle = 0.2;
+        pair.bridge_volume_ratio = 0.01;
+    });
+    let film = Lubrication { viscosity: 0.01, roughness: 1e-6, cut_off: 0.2 * RADIUS };
+    scene.extras = Extras {
+        cohesion: Some(law),
+        twisting: (friction > 0.0).then_some(TwistingLaw::Marshall),
+        lubrication: Some(film),
+        ..Extras::default()
+    };
     (scene, world)
 }

@@ -17,7 +17,7 @@ fn a_cohesive_sphere_hangs_from_the_ceiling_where_its_weight_and_the_pull_balanc
         let scene = Scene::<3>::new(materials, hertz())
             .with_gravity([0.0, 0.0, -9.81])
             .with_walls(ceiling.clone())
-            .with_extras(Extras { rolling: None, cohesion: Some(law) });
+            .with_extras(Extras { cohesion: Some(law), ..Extras::default() });
         let start = Grain::at([0.0, 0.0, -0.999 * radius], radius);
         let mut ball = world(&scene, &[start]);
         run(&scene, &mut ball, 0.1, 20_000).unwrap();
@@ -26,7 +26,7 @@ fn a_cohesive_sphere_hangs_from_the_ceiling_where_its_weight_and_the_pull_balanc
         let push = 4.0 / 3.0 * modulus * radius.sqrt() * overlap.powf(1.5);
         let area = match law {
             CohesionLaw::Sjkr => PI * (radius.powi(2) - (radius - overlap).powi(2)),
-            CohesionLaw::Sjkr2 => 2.0 * PI * radius * overlap,
+            _ => 2.0 * PI * radius * overlap,
         };
         let weight = GLASS.density * dem_solver::volume::<3>(radius, 1.0) * 9.81;
         let balance = push + weight - density * area;

@@ -7,7 +7,7 @@ use dem_solver::wall::{Wall, Walls};
 use dem_solver::{Saved, Scene, Vector, Workspace, World, turn_over, window};
 
 /// A few thousand grains of two to one in size that fall into a box: several chunks, contacts with walls.
-fn collapse(law: NormalLaw) -> (Scene<3>, World<3>) {
+pub fn collapse(law: NormalLaw) -> (Scene<3>, World<3>) {
     let side = 0.03;
     let wall = |name: &str, point: [f64; 3], normal: [f64; 3]| Wall::plane(name, 0, point, normal);
     let walls = Walls::new(vec![

@@ -35,7 +35,7 @@ fn rolling(law: RollingLaw) -> (Scene<3>, Vec<Grain<3>>) {
         pair.rolling_friction = [0.01, 0.05, 0.1, 0.0][a];
         pair.rolling_damping_ratio = 0.3;
     });
-    let extras = Extras { rolling: Some(law), cohesion: None };
+    let extras = Extras { rolling: Some(law), ..Extras::default() };
     let mut scene = Scene::<3>::new(materials, hertz()).with_gravity([0.0, 0.0, -9.81]).with_walls(floor());
     scene = scene.with_extras(extras);
     scene.walls.materials[0] = 3;
@@ -65,7 +65,7 @@ fn spheres_that_roll_are_braked_as_by_liggghts() {
 
 fn cohesive(law: CohesionLaw, restitution: f64) -> Scene<3> {
     let materials = glass(restitution, 0.5).with(|_, _, pair| pair.cohesion_energy_density = 2e5);
-    Scene::<3>::new(materials, hertz()).with_extras(Extras { rolling: None, cohesion: Some(law) })
+    Scene::<3>::new(materials, hertz()).with_extras(Extras { cohesion: Some(law), ..Extras::default() })
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What the grains must do, as claims about mechanics.
 
+mod adhesion;
 mod cohesion;
 mod conservation;
 mod determinism;
@@ -11,6 +12,7 @@ mod inserting;
 mod liggghts;
 mod liggghts_extras;
 mod limits;
+mod lubrication;
 mod micro;
 mod moving_walls;
 mod rest;
@@ -21,4 +23,5 @@ mod scenes;
 mod seams;
 mod servo;
 mod setting_up;
+mod twisting;
 mod walls;

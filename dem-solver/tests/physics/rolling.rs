@@ -19,7 +19,7 @@ fn resisting<const D: usize>(law: RollingLaw) -> Scene<D> {
     Scene::<D>::new(materials, hertz())
         .with_gravity(down)
         .with_walls(floor())
-        .with_extras(Extras { rolling: Some(law), cohesion: None })
+        .with_extras(Extras { rolling: Some(law), ..Extras::default() })
 }
 
 fn rolling_ball() -> Grain<3> {

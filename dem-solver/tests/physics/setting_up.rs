@@ -3,6 +3,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use case_io::document::{Case, Overrides};
+use dem_solver::contact::Extras;
+use dem_solver::contact::cohesion::CohesionLaw;
+use dem_solver::contact::lubrication::Lubrication;
+use dem_solver::contact::twisting::TwistingLaw;
 use dem_solver::wall::Facet;
 use dem_solver::{FluidMesh, Setup, Substep, set_up};
 
@@ -110,6 +114,32 @@ fn what_cannot_be_is_refused_with_its_key() {
         "mesh = { boundary = [\"z-min\"] }",
     );
     assert!(mesh.contains("wall[0].mesh"), "{mesh}");
+}
+
+#[test]
+fn the_laws_beside_normal_and_tangential_force_come_with_their_numbers() {
+    let folder = Folder::new("laws");
+    let set_up = |laws: &str, said: &str| {
+        let text = CASE
+            .replace("normal-law = \"hertz\"", &format!("normal-law = \"hertz\"\n{laws}"))
+            .replace("sliding-friction = 0.3", &format!("sliding-friction = 0.3\n{said}"));
+        folder.set_up(&text, None).unwrap().scene
+    };
+    let film = r#"lubrication = { viscosity = "1 mPa s", roughness = "1 um", cut-off = "0.1 mm" }"#;
+    let wet = set_up(
+        &format!("twisting-law = \"marshall\"\ncohesion-law = \"capillary\"\n{film}"),
+        "surface-tension = \"72 mN/m\"\ncontact-angle = \"30 deg\"\nbridge-volume-ratio = 0.01",
+    );
+    let Extras { rolling: None, twisting, lubrication, cohesion } = wet.extras else { panic!("no rolling") };
+    assert_eq!((twisting, cohesion), (Some(TwistingLaw::Marshall), Some(CohesionLaw::Capillary)));
+    assert_eq!(lubrication, Some(Lubrication { viscosity: 1e-3, roughness: 1e-6, cut_off: 1e-4 }));
+    let pair = wet.materials.pair(0, 0);
+    assert_eq!((pair.surface_tension, pair.bridge_volume_ratio), (0.072, 0.01));
+    assert!((pair.contact_angle - std::f64::consts::FRAC_PI_6).abs() < 1e-15);
+    for (law, key) in [(CohesionLaw::Jkr, "jkr"), (CohesionLaw::Dmt, "dmt")] {
+        let scene = set_up(&format!("cohesion-law = \"{key}\""), "work-of-adhesion = \"50 mJ/m^2\"");
+        assert_eq!((scene.extras.cohesion, scene.materials.pair(0, 0).work_of_adhesion), (Some(law), 0.05));
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::quantity::Velocity;
+use super::quantity::{Length, Velocity, Viscosity};
 use super::vector::{Axis, Bounds};
 
 /// `[grains]`
@@ -20,7 +20,11 @@ pub struct Grains {
     pub area_factor: Option<f64>,
     /// Law of the torque that resists rolling; default: nothing does.
     pub rolling_law: Option<RollingLaw>,
-    /// Law of the cohesion of bodies that touch; default: they do not cohere.
+    /// Law of the torque that resists twisting, spin about the normal; default: nothing does (3D).
+    pub twisting_law: Option<TwistingLaw>,
+    /// Liquid that is squeezed out from between bodies; default: there is none (3D).
+    pub lubrication: Option<Lubrication>,
+    /// Law of the attraction of bodies that touch or have touched; default: they do not cohere.
     pub cohesion_law: Option<CohesionLaw>,
     /// Where grains may be; default: the box around the fluid mesh, the walls and the insertions.
     pub domain: Option<Bounds>,
@@ -80,14 +84,41 @@ pub enum RollingLaw {
     Epsd2,
 }
 
-/// Law of the cohesion of bodies that touch, as LIGGGHTS 3.8.0 has it (3D).
+/// Law of the torque that resists twisting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TwistingLaw {
+    /// The tangential spring, dashpot and limit spread over the area of contact (Marshall 2009).
+    Marshall,
+}
+
+/// `[grains.lubrication]`: a force 6 π μ R*² v_n/h against coming nearer and parting, at gaps h below the cut-off.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Lubrication {
+    /// Dynamic viscosity μ of the liquid.
+    pub viscosity: Viscosity,
+    /// Gap below which the force grows no more: the height of the roughness of the grains.
+    pub roughness: Length,
+    /// Gap from which on there is no force.
+    pub cut_off: Length,
+}
+
+/// Law of the attraction of bodies that touch or have touched (3D).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum CohesionLaw {
-    /// Energy density times the area where the bodies cut each other.
+    /// LIGGGHTS 3.8.0: energy density times the area where the bodies cut each other.
     Sjkr,
-    /// Energy density times an area that grows with the overlap.
+    /// LIGGGHTS 3.8.0: energy density times an area that grows with the overlap.
     Sjkr2,
+    /// Derjaguin, Muller & Toporov: 2 π w R* as long as they touch; small, hard grains.
+    Dmt,
+    /// Johnson, Kendall & Roberts: a neck that is drawn out beyond touch and tears; large, soft grains (with `"hertz"` and
+    /// `"liggghts-hertz"` only).
+    Jkr,
+    /// A bridge of liquid that forms at touch and lasts until it ruptures (Willett et al. 2000).
+    Capillary,
 }
 
 /// What happens when a grain leaves the domain.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::quantity::{Density, Pressure};
+use super::quantity::{Angle, Density, Pressure, SurfaceEnergy};
 
 /// `[materials.NAME]`
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -33,6 +33,16 @@ pub struct Pair {
     pub rolling_friction: Option<f64>,
     /// Damping of rolling as a fraction of the critical one, not negative (needed with `rolling-law = "epsd"`).
     pub rolling_damping_ratio: Option<f64>,
-    /// Cohesive energy per volume, not negative (needed with `cohesion-law`).
+    /// Cohesive energy per volume, not negative (needed with `cohesion-law = "sjkr"` and `"sjkr2"`).
     pub cohesion_energy_density: Option<Pressure>,
+    /// Work of adhesion w, the energy that parting the two surfaces takes per area: twice the surface energy where they are
+    /// alike; not negative (needed with `cohesion-law = "dmt"` and `"jkr"`).
+    pub work_of_adhesion: Option<SurfaceEnergy>,
+    /// Surface tension γ of the liquid, not negative (needed with `cohesion-law = "capillary"`).
+    pub surface_tension: Option<SurfaceEnergy>,
+    /// Contact angle θ of the liquid on the solids, from 0, less than 50° (needed with `cohesion-law = "capillary"`).
+    pub contact_angle: Option<Angle>,
+    /// Volume of a bridge of liquid over r³ of the smaller grain, more than 0, at most 0.1 (needed with
+    /// `cohesion-law = "capillary"`).
+    pub bridge_volume_ratio: Option<f64>,
 }

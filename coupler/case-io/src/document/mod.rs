@@ -39,7 +39,9 @@ pub use case::{CaseTable, Dimension};
 pub use coupling::{Acceleration, Coupling, Drag, Scheme, Tolerance};
 pub use deletion::Deletion;
 pub use fluid::{Backend, Field, Fluid, Solve};
-pub use grains::{CohesionLaw, Escape, Grains, NormalLaw, RollingLaw, TangentialLaw};
+pub use grains::{
+    CohesionLaw, Escape, Grains, Lubrication, NormalLaw, RollingLaw, TangentialLaw, TwistingLaw,
+};
 pub use insertion::{
     GrainFile, Insertion, Lattice, LatticeKind, Placement, RandomBox, RandomCylinder, RandomFill,
     RandomSphere, Rate,

@@ -164,6 +164,7 @@ kinds! {
     Density, "a density", [-3, 1, 0, 0], "kg/m^3", "kg/m^3";
     Pressure, "a pressure", [-1, 1, -2, 0], "Pa", "Pa";
     Viscosity, "a dynamic viscosity", [-1, 1, -1, 0], "Pa s", "mPa s";
+    SurfaceEnergy, "a surface energy", [0, 1, -2, 0], "J/m^2", "mJ/m^2";
     Force, "a force", [1, 1, -2, 0], "N", "N";
     Mass, "a mass", [0, 1, 0, 0], "kg", "g";
     Angle, "an angle", [0, 0, 0, 1], "rad", "deg";
@@ -244,6 +245,7 @@ mod tests {
         reads::<kind::Density>();
         reads::<kind::Pressure>();
         reads::<kind::Viscosity>();
+        reads::<kind::SurfaceEnergy>();
         reads::<kind::Force>();
         reads::<kind::Mass>();
         reads::<kind::Angle>();

@@ -17,6 +17,8 @@ pub(super) fn decide(part: Part, document: &Document) -> Decision {
         | Part::TangentialHistory
         | Part::Rotation
         | Part::RollingResistance
+        | Part::TwistingResistance
+        | Part::Lubrication
         | Part::Cohesion
         | Part::Bonds
         | Part::PlaneWalls
@@ -109,6 +111,11 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
             named("pair with sliding-friction", pairs(|pair| pair.sliding_friction > 0.0))
         }
         Part::RollingResistance => chosen("rolling-law", grains.rolling_law),
+        Part::TwistingResistance => chosen("twisting-law", grains.twisting_law),
+        Part::Lubrication => match &grains.lubrication {
+            Some(_) => on("[grains.lubrication]"),
+            None => off("no [grains.lubrication]"),
+        },
         Part::Cohesion => chosen("cohesion-law", grains.cohesion_law),
         Part::Bonds => off("no [[bond]]"),
         Part::PlaneWalls => named("wall with plane", walls(|shape| matches!(shape, WallShape::Plane(_)))),
@@ -230,6 +237,8 @@ mod tests {
         assert_eq!(on(CHANNEL), [Fluid, FlowSolution, Convection, Frames, RestartPoints]);
         let without = [
             RollingResistance,
+            TwistingResistance,
+            Lubrication,
             Cohesion,
             Bonds,
             RoundWalls,
@@ -263,6 +272,9 @@ mod tests {
         let with = |said: &str, law: &str| format!("sliding-friction = 0.3\n{said}\n[grains]\n{law}\n");
         let rolling = with("rolling-friction = 0.1", "rolling-law = \"cdt\"");
         let cohesive = with("cohesion-energy-density = \"1 Pa\"", "cohesion-law = \"sjkr\"");
+        let twisting = with("", "twisting-law = \"marshall\"");
+        let film = "lubrication = { viscosity = \"1 mPa s\", roughness = \"1 um\", cut-off = \"1 mm\" }";
+        let lubricated = with("", film);
         const BONDED: &str = "[[bond]]\nlaw = \"cohesive\"\ngap = \"1 m\"\nyoungs-modulus = \"1 Pa\"\npoissons-ratio = 0\n[[wall]]";
         for (base, from, to, part) in [
             (SETTLING, "drag = \"di-felice\"", "drag = \"none\"", Part::Drag),
@@ -283,6 +295,8 @@ mod tests {
             (SETTLING, "sliding-friction = 0.3", "sliding-friction = 0", Part::Rotation),
             (SETTLING, "restitution = 0.9", "restitution = 1", Part::ContactDamping),
             (SETTLING, friction, &rolling, Part::RollingResistance),
+            (SETTLING, friction, &twisting, Part::TwistingResistance),
+            (SETTLING, friction, &lubricated, Part::Lubrication),
             (SETTLING, friction, &cohesive, Part::Cohesion),
             (SETTLING, "[[wall]]", BONDED, Part::Bonds),
             (SETTLING, "plane = {", "mesh = { boundary = [\"z-min\"] } #", Part::TriangleWalls),

@@ -231,7 +231,7 @@ mod tests {
                 (
                     "normal-law",
                     "normal-lw",
-                    "case.toml:16: grains.normal-lw: unknown key; allowed: normal-law, characteristic-velocity, rolling-law, cohesion-law, domain, escape, periodic, start-overlap; did you mean \"normal-law\"?",
+                    "case.toml:16: grains.normal-lw: unknown key; allowed: normal-law, characteristic-velocity, rolling-law, twisting-law, lubrication, cohesion-law, domain, escape, periodic, start-overlap; did you mean \"normal-law\"?",
                 ),
                 (
                     "[time]",
@@ -263,7 +263,7 @@ mod tests {
                 (
                     "[grains]\nnormal-law = \"hertz\"",
                     "grains = 1",
-                    "case.toml:15: pairs.glass-glass.grains: unknown key; allowed: restitution, sliding-friction, rolling-friction, rolling-damping-ratio, cohesion-energy-density",
+                    "case.toml:15: pairs.glass-glass.grains: unknown key; allowed: restitution, sliding-friction, rolling-friction, rolling-damping-ratio, cohesion-energy-density, work-of-adhesion, surface-tension, contact-angle, bridge-volume-ratio",
                 ),
                 (
                     "normal-law = \"hertz\"",

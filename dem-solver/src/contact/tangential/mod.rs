@@ -7,6 +7,7 @@ mod liggghts_history;
 mod partial_slip;
 
 use super::coefficients::{Coefficients, Growth};
+use super::twisting::Twist;
 use crate::lanes::{Lanes, Vec3};
 
 pub use annuli::{ANNULI, Annuli};
@@ -15,7 +16,7 @@ pub use frictionless::Frictionless;
 pub use liggghts_history::LiggghtsHistory;
 pub use partial_slip::PartialSlip;
 
-/// Memory of a rubbing contact; all zero before the first touch.
+/// Memory of a contact; all zero before the first touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Spring<L = f64> {
@@ -25,13 +26,24 @@ pub struct Spring<L = f64> {
     pub stiffness: L,
     /// Torque that the spring against rolling holds \[N m\]; 0 where there is none.
     pub torque: Vec3<L>,
+    /// 1 where something that outlasts touch holds the bodies together, else 0.
+    pub bridge: L,
+    /// What the spring against twisting holds.
+    pub twist: Twist<L>,
 }
 
 impl<L: Lanes> Spring<L> {
     /// The spring of two bodies that do not touch.
     #[inline(always)]
     pub fn relaxed() -> Self {
-        Self { force: Vec3::zero(), stiffness: L::splat(0.0), torque: Vec3::zero() }
+        let zero = L::splat(0.0);
+        Self {
+            force: Vec3::zero(),
+            stiffness: zero,
+            torque: Vec3::zero(),
+            bridge: zero,
+            twist: Twist::relaxed(),
+        }
     }
 
     /// The spring where the mask holds, else a relaxed one.
@@ -41,14 +53,16 @@ impl<L: Lanes> Spring<L> {
             force: self.force.only(mask),
             stiffness: self.stiffness.only(mask),
             torque: self.torque.only(mask),
+            bridge: self.bridge.only(mask),
+            twist: self.twist.only(mask),
         }
     }
 }
 
 impl Spring {
-    /// Whether the two bodies touched in the last step.
+    /// Whether the two bodies touched in the last step, or something held them together.
     pub fn is_active(&self) -> bool {
-        self.stiffness > 0.0
+        self.stiffness > 0.0 || self.bridge > 0.0
     }
 
     /// The spring as the second body sees it.
@@ -58,7 +72,7 @@ impl Spring {
 
     /// Energy of the tangential spring, (k_t s)²/(2 k_t) \[J\].
     pub fn energy(&self) -> f64 {
-        if self.is_active() { 0.5 * self.force.norm_squared() / self.stiffness } else { 0.0 }
+        if self.stiffness > 0.0 { 0.5 * self.force.norm_squared() / self.stiffness } else { 0.0 }
     }
 }
 

@@ -1,12 +1,14 @@
 //! What must hold beyond the form: all that can be checked without the mesh and without the solvers.
 
 mod bond;
+mod cohesion;
 mod coupling;
 mod deletion;
 mod fluid;
 mod general;
 mod grains;
 mod insertion;
+mod lubrication;
 mod material;
 mod mesh;
 mod motion_table;
@@ -36,6 +38,8 @@ pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseE
     fluid::check(document, rules)?;
     grains::check(document, rules)?;
     surface::check(document, rules)?;
+    cohesion::check(document, rules)?;
+    lubrication::check(document, rules)?;
     coupling::check(document, rules)?;
     probe::check(document, rules)
 }

@@ -63,6 +63,15 @@ impl Rules<'_> {
         value.map_or(Ok(()), |value| self.positive(key, value))
     }
 
+    pub(super) fn optional_not_negative<K: Kind>(&self, key: &str, value: Option<Quantity<K>>) -> Verdict {
+        match value {
+            Some(value) if value.si() < 0.0 => {
+                self.refuse(key, format_args!("found {value}"), format_args!("0 {} or more", K::SI_UNIT), "")
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// A bare number for which `holds`, which `allowed` says in words.
     pub(super) fn number(&self, key: &str, value: f64, holds: bool, allowed: &str) -> Verdict {
         if holds { Ok(()) } else { self.refuse(key, format_args!("found {}", digits(value)), allowed, "") }

@@ -1,26 +1,26 @@
-//! `grains.rolling-law`, `grains.cohesion-law`, and what `[pairs.*]` say of them.
+//! `grains.rolling-law` and `grains.twisting-law`, and what `[pairs.*]` say of them.
 
 use super::rules::Rules;
-use crate::document::{CohesionLaw, Document, NormalLaw, Pair, RollingLaw};
+use crate::document::{Document, NormalLaw, Pair, RollingLaw};
 use crate::error::CaseError;
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
     let Some(grains) = &document.grains else { return Ok(()) };
-    let (rolling, cohesion) = ("grains.rolling-law", "grains.cohesion-law");
+    let (rolling, twisting) = ("grains.rolling-law", "grains.twisting-law");
     if grains.normal_law == NormalLaw::None {
         rules.no_effect(rolling, "with normal-law = \"none\"")?;
-        rules.no_effect(cohesion, "with normal-law = \"none\"")?;
+        rules.no_effect(twisting, "with normal-law = \"none\"")?;
     }
     if document.pairs.values().all(|pair| pair.sliding_friction == 0.0) {
         rules.no_effect(rolling, "without sliding friction in any pair, since nothing rolls")?;
+        rules.no_effect(twisting, "without sliding friction in any pair, since nothing is held")?;
     }
-    if grains.cohesion_law.is_some() && document.case.dimension.count() == 2 {
-        return rules.refuse(cohesion, "the laws of cohesion are for spheres", "", "delete it");
+    if document.case.dimension.count() == 2 {
+        rules.no_effect(twisting, "in 2D, where nothing spins about a normal")?;
     }
     for (name, pair) in &document.pairs {
         let table = format!("pairs.{name}");
         of_rolling(&table, pair, grains.rolling_law, rules)?;
-        of_cohesion(&table, pair, grains.cohesion_law, rules)?;
     }
     Ok(())
 }
@@ -51,65 +51,39 @@ fn of_rolling(table: &str, pair: &Pair, law: Option<RollingLaw>, rules: &Rules) 
     Ok(())
 }
 
-fn of_cohesion(table: &str, pair: &Pair, law: Option<CohesionLaw>, rules: &Rules) -> Result<(), CaseError> {
-    let key = format!("{table}.cohesion-energy-density");
-    match law {
-        None => rules.no_effect(&key, "without grains.cohesion-law")?,
-        Some(_) => rules
-            .required(&key, "cohesion-law needs it, for example cohesion-energy-density = \"10 kJ/m^3\"")?,
-    }
-    match pair.cohesion_energy_density {
-        Some(density) if density.si() < 0.0 => {
-            rules.refuse(&key, format_args!("found {density}"), "0 Pa or more", "")
-        }
-        _ => Ok(()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use crate::document::fixture::{CARRIED, DRY, SETTLING, assert_refusals, document};
+    use crate::document::fixture::{DRY, SETTLING, assert_refusals, document};
 
-    const LAWS: &str = "rolling-law = \"epsd\"\ncohesion-law = \"sjkr\"\n[[insertion]]\nname = \"bed\"";
-    const SAID: &str = "sliding-friction = 0.3\nrolling-friction = 0.05\nrolling-damping-ratio = 0.3\n\
-                        cohesion-energy-density = \"1 kJ/m^3\"";
+    const LAWS: &str = "rolling-law = \"epsd\"\n[[insertion]]\nname = \"bed\"";
+    const SAID: &str = "sliding-friction = 0.3\nrolling-friction = 0.05\nrolling-damping-ratio = 0.3";
 
-    fn cohesive() -> String {
+    fn resisting() -> String {
         SETTLING.replace("[[insertion]]\nname = \"bed\"", LAWS).replace("sliding-friction = 0.3", SAID)
     }
 
     #[test]
     fn a_pair_says_what_the_laws_need() {
-        document(&cohesive());
+        document(&resisting());
         let missing = |key: &str, law: &str, example: &str| {
             format!(
                 "case.toml:12: pairs.glass-glass.{key}: missing; {law} needs it, for example {key} = {example}"
             )
         };
         assert_refusals(
-            &cohesive(),
+            &resisting(),
             &[
                 ("rolling-friction = 0.05\n", "", &missing("rolling-friction", "rolling-law", "0.05")),
                 ("rolling-damping-ratio = 0.3\n", "", &missing("rolling-damping-ratio", "\"epsd\"", "0.3")),
-                (
-                    "cohesion-energy-density = \"1 kJ/m^3\"\n",
-                    "",
-                    &missing("cohesion-energy-density", "cohesion-law", "\"10 kJ/m^3\""),
-                ),
                 (
                     "rolling-friction = 0.05",
                     "rolling-friction = -0.05",
                     "case.toml:15: pairs.glass-glass.rolling-friction: found -0.05; allowed: 0 or more",
                 ),
                 (
-                    "\"1 kJ/m^3\"",
-                    "\"-1 kJ/m^3\"",
-                    "case.toml:17: pairs.glass-glass.cohesion-energy-density: found -1000 Pa; allowed: 0 Pa or more",
-                ),
-                (
                     "\"epsd\"",
                     "\"epsd3\"",
-                    "case.toml:20: grains.rolling-law: unknown law \"epsd3\"; allowed: cdt, epsd, epsd2; did you mean \"epsd\"?",
+                    "case.toml:19: grains.rolling-law: unknown law \"epsd3\"; allowed: cdt, epsd, epsd2; did you mean \"epsd\"?",
                 ),
             ],
         );
@@ -118,7 +92,7 @@ mod tests {
     #[test]
     fn what_no_law_asks_for_is_refused() {
         assert_refusals(
-            &cohesive(),
+            &resisting(),
             &[
                 (
                     "rolling-law = \"epsd\"\n",
@@ -131,31 +105,39 @@ mod tests {
                     "case.toml:16: pairs.glass-glass.rolling-damping-ratio: has no effect with rolling-law = \"cdt\"; delete it",
                 ),
                 (
-                    "cohesion-law = \"sjkr\"\n",
-                    "",
-                    "case.toml:17: pairs.glass-glass.cohesion-energy-density: has no effect without grains.cohesion-law; delete it",
-                ),
-                (
                     "sliding-friction = 0.3",
                     "sliding-friction = 0",
-                    "case.toml:20: grains.rolling-law: has no effect without sliding friction in any pair, since nothing rolls; delete it",
+                    "case.toml:19: grains.rolling-law: has no effect without sliding friction in any pair, since nothing rolls; delete it",
                 ),
             ],
         );
+    }
+    #[test]
+    fn only_spheres_that_rub_are_twisted() {
+        let twisted = "twisting-law = \"marshall\"\n[[insertion]]\nname = \"bed\"";
+        let base = SETTLING.replace("[[insertion]]\nname = \"bed\"", twisted);
+        document(&base);
         assert_refusals(
-            CARRIED,
-            &[(
-                "[[insertion]]",
-                "cohesion-law = \"sjkr\"\n[[insertion]]",
-                "case.toml:12: grains.cohesion-law: has no effect with normal-law = \"none\"; delete it",
-            )],
+            &base,
+            &[
+                (
+                    "sliding-friction = 0.3",
+                    "sliding-friction = 0",
+                    "case.toml:17: grains.twisting-law: has no effect without sliding friction in any pair, since nothing is held; delete it",
+                ),
+                (
+                    "\"marshall\"",
+                    "\"marshal\"",
+                    "case.toml:17: grains.twisting-law: unknown law \"marshal\"; allowed: marshall; did you mean \"marshall\"?",
+                ),
+            ],
         );
         assert_refusals(
             DRY,
             &[(
                 "[[insertion]]",
-                "cohesion-law = \"sjkr\"\n[[insertion]]",
-                "case.toml:27: grains.cohesion-law: the laws of cohesion are for spheres; delete it",
+                "twisting-law = \"marshall\"\n[[insertion]]",
+                "case.toml:27: grains.twisting-law: has no effect in 2D, where nothing spins about a normal; delete it",
             )],
         );
     }
