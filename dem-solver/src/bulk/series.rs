@@ -1,5 +1,6 @@
 //! `series/bulk.csv`: what the contacts are together.
 
+use super::clumps::contacts_of_bodies;
 use super::contacts::contacts_at_rest;
 use super::coordination::coordination;
 use super::fabric::fabric;
@@ -7,6 +8,7 @@ use super::stress::contact_stress;
 use super::tensor::{NAMES, Tensor, components};
 use super::volume::bulk_volume;
 use crate::contact::NormalLaw;
+use crate::kinetic_energy::kinetic_energies;
 use crate::scene::Scene;
 use crate::world::World;
 
@@ -25,6 +27,7 @@ pub fn bulk_titles<const D: usize>(scene: &Scene<D>) -> Vec<String> {
 /// The time and the values under these titles.
 pub fn bulk_row<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Vec<f64> {
     let contacts = contacts_at_rest(scene, world);
+    let contacts = contacts_of_bodies(world, contacts);
     let count = coordination(&contacts, world.grains.len());
     let volume = bulk_volume(scene, world);
     let stress = if volume > 0.0 { contact_stress(&contacts, volume) } else { Tensor::zeros() };
@@ -37,15 +40,4 @@ pub fn bulk_row<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Vec<f64> 
     row.push(volume);
     row.extend(kinetic_energies(world));
     row
-}
-
-/// Kinetic energy of translation, Σ m v²/2, and of rotation, Σ I ω²/2 \[J\].
-fn kinetic_energies<const D: usize>(world: &World<D>) -> [f64; 2] {
-    let moving = world.grains.motion.iter().filter(|motion| !motion.is_frozen());
-    moving.fold([0.0; 2], |[translation, rotation], motion| {
-        [
-            translation + 0.5 * motion.velocity.norm_squared() / motion.inverse_mass,
-            rotation + 0.5 * motion.angular_velocity.norm_squared() / motion.inverse_inertia,
-        ]
-    })
 }
