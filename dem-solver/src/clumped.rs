@@ -62,7 +62,8 @@ impl Members {
                 of_row[row] = (firsts[clump] + member) as u32;
             }
         }
-        let still = Carried { centre: Spin::zeros(), velocity: Spin::zeros(), angular_velocity: Spin::zeros() };
+        let still =
+            Carried { centre: Spin::zeros(), velocity: Spin::zeros(), angular_velocity: Spin::zeros() };
         Self {
             rows,
             of_row,
@@ -85,7 +86,8 @@ impl Members {
     /// Pairs of rows of one clump, the lower first: they have no contact.
     pub fn pairs(&self, bodies: &Bodies) -> Vec<[u32; 2]> {
         let all = |(_, rows): (&Rigid, &[u32])| -> Vec<[u32; 2]> {
-            let later = |k: usize| rows[k + 1..].iter().map(move |&other| [rows[k].min(other), rows[k].max(other)]);
+            let later =
+                |k: usize| rows[k + 1..].iter().map(move |&other| [rows[k].min(other), rows[k].max(other)]);
             (0..rows.len()).flat_map(later).collect()
         };
         self.of_each(bodies).flat_map(all).collect()
@@ -113,8 +115,10 @@ impl Flight<'_> {
             teams.push(Team { clumps, rows: mine, carried: to, flown: speeds });
         }
         let loads = loads.as_slice();
-        let fastest =
-            teams.into_par_iter().map(|team| self.of_team(team, loads)).reduce(Fastest::none, |a, b| a.joined(&b));
+        let fastest = teams
+            .into_par_iter()
+            .map(|team| self.of_team(team, loads))
+            .reduce(Fastest::none, |a, b| a.joined(&b));
         let carried = carried.as_slice();
         let Grains { place, motion, mass, .. } = grains;
         let rows = place.par_iter_mut().zip(motion).zip(&*mass).zip(&*of_row).with_min_len(TEAM);

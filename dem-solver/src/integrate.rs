@@ -77,7 +77,8 @@ pub fn advance<const D: usize>(
 ) {
     let World { grains, contacts, bonds, bodies, .. } = world;
     bonds.fly(flight);
-    let Workspace { backend, chunks: scratches, loads, relaxation, impulse, late, members, periods, .. } = workspace;
+    let Workspace { backend, chunks: scratches, loads, relaxation, impulse, late, members, periods, .. } =
+        workspace;
     let inputs = Inputs {
         scene,
         backend: *backend,
@@ -114,7 +115,8 @@ pub fn advance<const D: usize>(
     let fastest: Vec<Fastest> = tasks.into_par_iter().map(|task| inputs.advance_chunk(task)).collect();
     let before = contacts.approach;
     let gravity = embed(&scene.gravity);
-    let clumps = Flight { backend: *backend, periods, frame: before.frame, kick: Some((gravity, step)), time: flight };
+    let clumps =
+        Flight { backend: *backend, periods, frame: before.frame, kick: Some((gravity, step)), time: flight };
     let of_clumps = clumps.fly(bodies, grains, members);
     let after = fastest.iter().fold(of_clumps, |all, of_chunk| all.joined(of_chunk)).approach();
     contacts.spend(&after, flight);

@@ -111,7 +111,8 @@ fn remove<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Crossed<D> 
     let (mut staying, mut leaving) = (Vec::new(), Vec::new());
     for row in 0..world.grains.len() {
         let clump = world.bodies.of(world.grains.id[row]);
-        let centre = clump.map_or(world.grains.place[row].centre, |(k, _)| world.bodies.as_slice()[k].body.centre);
+        let centre =
+            clump.map_or(world.grains.place[row].centre, |(k, _)| world.bodies.as_slice()[k].body.centre);
         match taker(&restrict(&centre)) {
             None => staying.push(row as u32),
             Some(taker) => leaving.push((row, taker)),

@@ -68,7 +68,7 @@ impl<const D: usize> World<D> {
 
     /// Gives birth to a clump of this kind of the scene, and to the grains that are its members.
     pub fn add_clump(&mut self, scene: &Scene<D>, kind: u32, body: Body) {
-        let ClumpKind { shape, material } = &scene.clumps[kind as usize];
+        let ClumpKind { shape, material, .. } = &scene.clumps[kind as usize];
         self.bodies.push(Rigid { first: self.born, kind, shape: shape.clone(), body });
         for (carried, member) in body.members(shape).zip(shape.members()) {
             self.grains.push_member(self.born, &carried, member.radius, shape.mass(), *material);
@@ -103,7 +103,8 @@ impl<const D: usize> World<D> {
     }
 
     fn copy_from(&mut self, other: &Self) {
-        let Self { time, grains, bodies, contacts, bonds, slides, received, born, removed, taken, feeds } = other;
+        let Self { time, grains, bodies, contacts, bonds, slides, received, born, removed, taken, feeds } =
+            other;
         (self.time, self.born, self.removed) = (*time, *born, *removed);
         self.grains.copy_from(grains);
         self.bodies.copy_from(bodies);

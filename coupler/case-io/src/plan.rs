@@ -42,6 +42,7 @@ parts! {
     RollingResistance: "rolling resistance",
     Cohesion: "cohesion",
     Bonds: "bonds",
+    Clumps: "clumps",
     PlaneWalls: "plane walls",
     RoundWalls: "round walls",
     TriangleWalls: "triangle walls",

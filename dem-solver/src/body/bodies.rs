@@ -11,6 +11,8 @@ pub struct ClumpKind {
     pub shape: Arc<Clump>,
     /// Index of the material of its members.
     pub material: u32,
+    /// Volume of the union of its members \[m³\].
+    pub volume: f64,
 }
 
 /// A clump whose members are grains.

@@ -19,7 +19,8 @@ impl Mobility {
     /// That of a member of a body of this mass \[kg\] and principal moments, ascending \[kg m²\].
     pub fn of(member: &Member, mass: f64, moments: &[f64; 3]) -> Self {
         let cross = member.offset.cross_matrix();
-        let turning = cross.transpose() * Matrix3::from_diagonal(&Vector::from(moments.map(f64::recip))) * cross;
+        let turning =
+            cross.transpose() * Matrix3::from_diagonal(&Vector::from(moments.map(f64::recip))) * cross;
         let lever = turning.symmetric_eigenvalues().max().max(0.0).sqrt();
         let to_surface = member.radius / moments[0].sqrt();
         Self { normal: 1.0 / mass + lever.powi(2), any: 1.0 / mass + (lever + to_surface).powi(2) }
