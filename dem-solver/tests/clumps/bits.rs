@@ -16,13 +16,13 @@ fn rain() -> (Scene<3>, World<3>) {
         frozen: false,
         clump: Some(ClumpStart { kind: 0, orientation: Orientation::Random, angular_velocity: Spin::x() }),
     };
-    let upper = Vector::from([0.06, 0.06, 0.04]);
+    let upper = Vector::from([0.06, 0.06, 0.07]);
     let region = Region::Box(BoxRegion { lower: Vector::zeros(), upper });
     let mut world = World::new();
-    let fill = RandomFill { region, amount: Amount::Count(700) };
+    let fill = RandomFill { region, amount: Amount::Count(1200) };
     fill.insert(&scene, &mut world, &batch, &mut Random::new(5)).unwrap();
     for k in 0..100 {
-        world.add(&scene, &Grain::at([f64::from(k % 10) * 6e-3, f64::from(k / 10) * 6e-3, 0.045], 1e-3));
+        world.add(&scene, &Grain::at([f64::from(k % 10) * 6e-3, f64::from(k / 10) * 6e-3, 0.075], 1e-3));
     }
     (scene, world)
 }

@@ -53,9 +53,9 @@ fn members_of_one_clump_do_not_touch_each_other() {
     let scene = scene(1e7, (0.5, 0.3), vec![stone()]);
     let mut world = World::new();
     world.add_clump(&scene, 0, placed(&scene.clumps[0], [0.0; 3], [0.3, 0.1, 0.0], [0.0; 3], [0.0; 3]));
-    let before = world.clone();
     run(&scene, &mut world, 0.01, 1000);
-    assert_eq!(before.bodies, world.bodies);
+    let stone = crate::scenes::body(&world, 0);
+    assert_eq!((stone.velocity.norm(), stone.angular_momentum.norm()), (0.0, 0.0));
     assert!(world.contacts.chunks.iter().all(|chunk| chunk.outer.i.is_empty()));
     assert!(dem_solver::insertion::overlaps(&scene, &world, 0.0).is_empty());
 }

@@ -19,11 +19,11 @@ fn in_flight_angular_momentum_is_kept_to_the_last_bit_and_energy_to_the_order_of
     let (scene, mut world) = thrown();
     let before = body(&world, 0);
     let energy = kinetic_energy(&world);
-    let ledger = run(&scene, &mut world, 0.1, 2000);
+    let ledger = run(&scene, &mut world, 0.1, 20_000);
     let after = body(&world, 0);
     assert_eq!(before.angular_momentum, after.angular_momentum);
     let fall = Spin::new(0.05, 0.0, 0.1 - 0.5 * 9.81 * 0.01);
-    assert!((after.centre - fall).norm() < 1e-14, "{}", after.centre);
+    assert!((after.centre - fall).norm() < 1e-12, "{}", after.centre);
     let mass = scene.clumps[0].shape.mass();
     let change = kinetic_energy(&world) - energy + mass * 9.81 * after.centre.z;
     println!("energy of a thrown stone: {:.1e}", change.abs() / energy);
@@ -82,7 +82,10 @@ fn a_free_stone_turns_by_eulers_equations_to_second_order_in_the_step() {
         (in_body(&world) - exact).norm() / exact.norm()
     };
     let errors = [200, 400, 800].map(error);
-    println!("asymmetric top in steps of 250, 125 and 62 us: {errors:.2e?}");
+    println!(
+        "asymmetric top in steps of 250, 125 and 62 us: {:.1e} {:.1e} {:.1e}",
+        errors[0], errors[1], errors[2]
+    );
     for pair in errors.windows(2) {
         let order = (pair[0] / pair[1]).log2();
         assert!((order - 2.0).abs() < 0.05, "order {order}");

@@ -81,23 +81,26 @@ fn friction_of_an_impact_gives_no_energy_and_what_it_takes_the_floor_feels() {
 }
 
 #[test]
-fn the_longest_allowed_step_gains_no_energy() {
-    let scene = scene(1e7, (0.9, 0.5), vec![dumbbell()]).with_walls(floor()).with_gravity([0.0, 0.0, -9.81]);
+fn at_the_longest_allowed_step_a_clump_gains_no_energy_and_comes_to_rest() {
+    let scene = scene(1e7, (0.7, 0.5), vec![dumbbell()]).with_walls(floor()).with_gravity([0.0, 0.0, -9.81]);
     let mut world = World::new();
     let start = [0.0, 0.0, 3e-3];
     world.add_clump(&scene, 0, placed(&scene.clumps[0], start, [0.2, -0.5, 0.1], [0.05, 0.0, 0.0], [0.0; 3]));
     let weight = scene.clumps[0].shape.mass() * 9.81;
     let energy = |world: &World<3>| kinetic_energy(world) + weight * body(world, 0).centre.z;
-    let (mut last, mut most_gained) = (energy(&world), 0.0_f64);
-    for _ in 0..100 {
+    let at_start = energy(&world);
+    for _ in 0..300 {
         let step = critical_time_step(&scene, &world).step;
         run(&scene, &mut world, 2e-3, (2e-3 / step).ceil() as u32);
-        most_gained = most_gained.max(energy(&world) - last);
-        last = energy(&world);
+        assert!(energy(&world) <= at_start * (1.0 + 1e-12), "{} of the first", energy(&world) / at_start);
     }
+    let fell = weight * 2e-3;
     println!(
-        "most energy gained in a window at the critical step: {:.1e} m g r",
-        most_gained / weight / RADIUS
+        "kinetic energy after 0.6 s at the critical step: {:.1e} of the first fall",
+        kinetic_energy(&world) / fell
     );
-    assert!(most_gained < 1e-2 * weight * RADIUS);
+    // It rolls on: nothing resists that.
+    assert!(
+        body(&world, 0).velocity.z.abs() < 1e-3 && (body(&world, 0).centre.z / RADIUS - 1.0).abs() < 0.01
+    );
 }

@@ -62,10 +62,10 @@ fn clumps_fill_a_region_to_a_share_of_their_own_volume_and_overlap_nothing() {
     let scene = scene(1e7, (0.8, 0.4), vec![stone()]);
     let region = Region::Box(BoxRegion { lower: Vector::zeros(), upper: Vector::from_element(0.03) });
     let mut world = World::new();
-    let fill = RandomFill { region, amount: Amount::SolidFraction(0.08) };
+    let fill = RandomFill { region, amount: Amount::SolidFraction(0.04) };
     fill.insert(&scene, &mut world, &batch(&scene), &mut Random::new(1)).unwrap();
     let filled = world.bodies.as_slice().len() as f64 * scene.clumps[0].volume / 0.03_f64.powi(3);
-    assert!((filled - 0.08).abs() < scene.clumps[0].volume / 0.03_f64.powi(3));
+    assert!((filled - 0.04).abs() < scene.clumps[0].volume / 0.03_f64.powi(3));
     assert!(dem_solver::insertion::overlaps(&scene, &world, 0.0).is_empty());
     let axes = world.bodies.as_slice().iter().map(|clump| clump.body.orientation * Spin::x());
     let (count, mean) = (world.bodies.as_slice().len() as f64, axes.sum::<Spin>());
