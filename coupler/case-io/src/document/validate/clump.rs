@@ -116,6 +116,8 @@ fn axis(key: &str, stated: Option<&[f64]>, rules: &Rules) -> Result<(), CaseErro
 mod tests {
     use crate::document::fixture::{CHANNEL, DRY, SETTLING, assert_refusals, document};
 
+    const OF_CLUMP: &str = "# more of the clump";
+    const OF_INSERTION: &str = "# more of the insertion";
     const PAIR: &str =
         r#"[{ centre = ["0 mm", "0 mm"], radius = "1 mm" }, { centre = ["1 mm", "0 mm"], radius = "1 mm" }]"#;
 
@@ -124,11 +126,6 @@ mod tests {
         let clump = format!("[[clump]]\nname = \"pair\"\nspheres = {spheres}\n{of_clump}\n[[insertion]]");
         let dry = DRY.replace("[[insertion]]", &clump);
         dry.replace("diameter = \"2 mm\"", &format!("clump = \"pair\"\n{of_insertion}"))
-    }
-
-    fn assert_refused(spheres: &str, of_clump: &str, of_insertion: &str, message: &str) {
-        let text = with(spheres, of_clump, of_insertion);
-        assert_refusals(&text, &[("dry", "discs", message)]);
     }
 
     #[test]
@@ -141,35 +138,33 @@ mod tests {
         document(&with(PAIR, "", "random-orientation = true"));
         let rows = [
             (
+                PAIR,
                 "[]",
-                "",
                 "case.toml:29: clump[0].spheres: there is no sphere in it; write for example [{ centre = [\"0 m\", …], radius = \"1 mm\" }, …]",
             ),
             (
+                PAIR,
                 r#"[{ centre = ["0 mm"], radius = "1 mm" }]"#,
-                "",
                 "case.toml:29: clump[0].spheres[0].centre: found 1 components; allowed: 2; case.dimension is 2",
             ),
             (
+                PAIR,
                 r#"[{ centre = ["0 mm", "0 mm"], radius = "0 mm" }]"#,
-                "",
                 "case.toml:29: clump[0].spheres[0].radius: found 0 m; allowed: more than 0 m",
             ),
             (
+                PAIR,
                 r#"[{ centre = ["0 mm", "0 mm"], radius = "1 mm" }, { centre = ["0 mm", "0 mm"], radius = "2 mm" }]"#,
-                "",
                 "case.toml:29: clump[0].spheres[1].centre: has the same centre as spheres[0]; delete one of them",
             ),
             (
+                PAIR,
                 r#"[{ centre = ["0 mm", "0 mm"], radius = "1 mm" }, { centre = ["5 mm", "0 mm"], radius = "1 mm" }, { centre = ["2 mm", "0 mm"], radius = "1 mm" }]"#,
-                "",
                 "case.toml:29: clump[0].spheres[1]: touches none of the 2 spheres that hang together with spheres[0]; allowed: one body; move it, or make two clumps",
             ),
-            (PAIR, "mass = \"0 g\"", "case.toml:30: clump[0].mass: found 0 kg; allowed: more than 0 kg"),
+            (OF_CLUMP, "mass = \"0 g\"", "case.toml:30: clump[0].mass: found 0 kg; allowed: more than 0 kg"),
         ];
-        for (spheres, keys, message) in rows {
-            assert_refused(spheres, keys, "", message);
-        }
+        assert_refusals(&with(PAIR, OF_CLUMP, OF_INSERTION), &rows);
     }
 
     #[test]
@@ -192,20 +187,18 @@ mod tests {
                 "case.toml:31: insertion[0]: diameter and clump exclude each other; allowed: exactly one of diameter, diameter-range, diameter-distribution, clump",
             ),
         ];
-        for (keys, message) in rows {
-            assert_refused(PAIR, "", keys, message);
-        }
-        let unknown = with(PAIR, "", "").replace("clump = \"pair\"", "clump = \"pear\"");
+        let sound = with(PAIR, OF_CLUMP, OF_INSERTION);
+        assert_refusals(&sound, &rows.map(|(keys, message)| (OF_INSERTION, keys, message)));
         let message = "case.toml:34: insertion[0].clump: there is no clump \"pear\"; allowed: pair; did you mean \"pair\"?";
-        assert_refusals(&unknown, &[("dry", "discs", message)]);
+        assert_refusals(&sound, &[("clump = \"pair\"", "clump = \"pear\"", message)]);
         let idle = format!("[[clump]]\nname = \"pair\"\nspheres = {PAIR}\n[[insertion]]");
         let alone = "case.toml:27: clump[0]: no insertion inserts it; delete it";
         let spun = "case.toml:31: insertion[0].spin: has no effect without clump; delete it";
         let turned = "diameter = \"2 mm\"\nspin = { rate = \"1 rad/s\" }";
         assert_refusals(DRY, &[("[[insertion]]", &idle, alone), ("diameter = \"2 mm\"", turned, spun)]);
         let glued = "[[bond]]\nlaw = \"cohesive\"\ngap = \"1 mm\"\nyoungs-modulus = \"1 GPa\"\npoissons-ratio = 0.2\n[[wall]]";
-        let message = "case.toml:36: bond[0].insertions: \"lattice\" inserts clumps, which are not bonded; allowed: insertions of grains; name those";
-        assert_refusals(&with(PAIR, "", ""), &[("[[wall]]", glued, message)]);
+        let message = "case.toml:37: bond[0].insertions: \"lattice\" inserts clumps, which are not bonded; allowed: insertions of grains; name those";
+        assert_refusals(&sound, &[("[[wall]]", glued, message)]);
     }
 
     #[test]
