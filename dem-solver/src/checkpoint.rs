@@ -6,11 +6,12 @@ use std::path::Path;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use serde::{Deserialize, Serialize};
 
+use crate::body::{Bodies, BodyArrays, Rigid};
 use crate::bond::{BondArrays, Bonds};
 use crate::deletion::Taken;
 use crate::engine::{Approach, ContactArrays, ContactList, Counters, Skins};
 use crate::error::DemError;
-use crate::grains::{AsRows, Grains, Motion, Place, inertia};
+use crate::grains::{AsRows, CARRIED_INERTIA, Grains, Motion, Place, inertia};
 use crate::insertion::{Feed, Random};
 use crate::scene::Scene;
 use crate::vector::{Spin, Vector};
@@ -18,6 +19,10 @@ use crate::wall::{Received, Slide, WallImpulse};
 use crate::world::World;
 
 const KIND: &str = "dem-solver";
+/// What moves a grain: itself, nothing, its clump.
+const LOOSE: u8 = 0;
+const FROZEN: u8 = 1;
+const CARRIED: u8 = 2;
 
 #[derive(Serialize, Deserialize)]
 struct Metadata {
@@ -62,6 +67,7 @@ impl<const D: usize> World<D> {
         let [fx, fy, fz] = approach.frame;
         let arrays = ContactArrays::of(contacts);
         let bonds = BondArrays::of(&self.bonds);
+        let bodies = BodyArrays::of(&self.bodies);
         let metadata = Metadata {
             dimension: D,
             time: self.time,
@@ -85,7 +91,12 @@ impl<const D: usize> World<D> {
         let place: Vec<f64> = grains.place.as_rows().iter().flat_map(|row| row.0).collect();
         let motion: Vec<f64> =
             grains.motion.iter().flat_map(|m| floats(&m.velocity, m.angular_velocity.into())).collect();
-        let frozen: Vec<u8> = grains.motion.iter().map(|motion| u8::from(motion.is_frozen())).collect();
+        let hold = |motion: &Motion| match (motion.is_frozen(), motion.is_carried()) {
+            (true, _) => FROZEN,
+            (_, true) => CARRIED,
+            _ => LOOSE,
+        };
+        let held: Vec<u8> = grains.motion.iter().map(hold).collect();
         let received: Vec<f64> =
             self.received.impulse.iter().flat_map(|wall| floats(&wall.linear, wall.angular.into())).collect();
         CheckpointWriter::new(KIND, &metadata)
@@ -94,7 +105,7 @@ impl<const D: usize> World<D> {
             .array("motion", &motion)
             .array("mass", &grains.mass)
             .array("material", &grains.material)
-            .array("frozen", &frozen)
+            .array("held", &held)
             .array("outer pairs", &arrays.outer)
             .array("inner pairs", &arrays.inner)
             .array("springs", &arrays.springs)
@@ -111,6 +122,9 @@ impl<const D: usize> World<D> {
             .array("bond laws", &bonds.laws)
             .array("bond numbers", &bonds.numbers)
             .array("bond failures", &bonds.failures)
+            .array("clumps", &bodies.firsts)
+            .array("kinds of clumps", &bodies.kinds)
+            .array("motion of clumps", &bodies.motions)
             .array("received", &received)
             .write(path)?;
         Ok(())
@@ -135,6 +149,13 @@ impl<const D: usize> World<D> {
         let contacts = contacts.ok_or_else(|| foreign("its contacts do not fit the grains and walls"))?;
         let bonds = read_bonds(&file, &metadata)?.filter(|bonds| fit(bonds, scene, &grains));
         let bonds = bonds.ok_or_else(|| foreign("its bonds do not fit the grains and laws"))?;
+        let arrays = BodyArrays {
+            firsts: file.array("clumps")?,
+            kinds: file.array("kinds of clumps")?,
+            motions: file.array("motion of clumps")?,
+        };
+        let bodies = arrays.restore(&scene.clumps).filter(|bodies| carry(bodies, &grains));
+        let bodies = bodies.ok_or_else(|| foreign("its clumps do not fit the grains and kinds"))?;
         let feeds = resume(feeds, metadata.feeds).ok_or_else(|| foreign("its insertions are others"))?;
         let impulse = file.array::<f64>("received")?;
         let impulse = impulse.chunks_exact(D + 3).map(|row| WallImpulse {
@@ -148,7 +169,7 @@ impl<const D: usize> World<D> {
             .collect();
         let taken = taken.into_iter().map(|(count, mass)| Taken { count, mass }).collect();
         let received = Received { since: walls_since, impulse: impulse.collect() };
-        Ok(Self { time, grains, contacts, bonds, slides, received, born, removed, taken, feeds })
+        Ok(Self { time, grains, bodies, contacts, bonds, slides, received, born, removed, taken, feeds })
     }
 }
 
@@ -178,11 +199,11 @@ fn resume<const D: usize>(feeds: Vec<Feed<D>>, states: Vec<FeedState>) -> Option
 }
 
 fn read_grains<const D: usize>(file: &Checkpoint, scene: &Scene<D>) -> Result<Option<Grains>, DemError> {
-    let (place, motion, frozen) =
-        (file.array::<f64>("place")?, file.array::<f64>("motion")?, file.array::<u8>("frozen")?);
+    let (place, motion, held) =
+        (file.array::<f64>("place")?, file.array::<f64>("motion")?, file.array::<u8>("held")?);
     let (id, mass, material) =
         (file.array::<u64>("id")?, file.array::<f64>("mass")?, file.array::<u32>("material")?);
-    let lengths = [place.len() / 4, motion.len() / 6, frozen.len(), mass.len(), material.len()];
+    let lengths = [place.len() / 4, motion.len() / 6, held.len(), mass.len(), material.len()];
     if lengths.iter().any(|&length| length != id.len()) {
         return Ok(None);
     }
@@ -192,18 +213,17 @@ fn read_grains<const D: usize>(file: &Checkpoint, scene: &Scene<D>) -> Result<Op
     let micro =
         |material: u32| (material as usize) < scene.materials.len() && scene.materials.is_micro(material);
     let motion = motion.chunks_exact(6).enumerate().map(|(k, row)| {
-        if frozen[k] != 0 {
-            return Motion::frozen();
-        }
+        let inverse_inertia = match held[k] {
+            FROZEN => return Motion::frozen(),
+            CARRIED => CARRIED_INERTIA,
+            _ if micro(material[k]) => 0.0,
+            _ => 1.0 / inertia::<D>(mass[k], place[k].radius),
+        };
         Motion {
             velocity: spin(row),
             inverse_mass: 1.0 / mass[k],
             angular_velocity: spin(&row[3..]),
-            inverse_inertia: if micro(material[k]) {
-                0.0
-            } else {
-                1.0 / inertia::<D>(mass[k], place[k].radius)
-            },
+            inverse_inertia,
         }
     });
     Ok(Some(Grains { motion: motion.collect(), id, place, mass, material }))
@@ -245,6 +265,14 @@ fn fit<const D: usize>(bonds: &Bonds, scene: &Scene<D>, grains: &Grains) -> bool
     let known: HashSet<u64> = grains.id.iter().copied().collect();
     let laws = scene.bond_laws.len();
     bonds.iter().all(|bond| (bond.law as usize) < laws && bond.grains.iter().all(|id| known.contains(id)))
+}
+
+/// Whether the members of all clumps, and they alone, are carried.
+fn carry(bodies: &Bodies, grains: &Grains) -> bool {
+    let members: usize = bodies.as_slice().iter().map(Rigid::count).sum();
+    let carried = |(motion, id): (&Motion, &u64)| motion.is_carried() == bodies.of(*id).is_some();
+    let there = grains.id.iter().filter(|id| bodies.of(**id).is_some()).count();
+    there == members && grains.motion.iter().zip(&grains.id).all(carried)
 }
 
 /// What the lists know beside their pairs.

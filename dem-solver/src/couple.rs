@@ -143,7 +143,7 @@ impl<const D: usize> DemParticipant<D> {
             self.world.received.restart(self.world.time);
         }
         if let Some(number) = commit.frame {
-            self.record.frame(&self.world, number)?;
+            self.record.frame(&self.scene, &self.world, number)?;
         }
         if let Some(folder) = &commit.restart {
             self.world.write_checkpoint(&folder.join(PART))?;
@@ -181,6 +181,9 @@ impl<const D: usize> Participant for DemParticipant<D> {
             "no critical step at the start: nothing touches".to_string()
         };
         let mut notes = vec![format!("{size} grains at the start"), limit];
+        if !self.world.bodies.is_empty() {
+            notes.push(format!("{} clumps, whose members are grains", self.world.bodies.as_slice().len()));
+        }
         if !self.world.bonds.is_empty() {
             notes.push(format!("{} bonds at the start", self.world.bonds.len()));
         }

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::bond::Resistance;
 use crate::bonded::links;
+use crate::clumped::Members;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal, Onate};
 use crate::contact::{Coefficients, ExtraConstants, NormalLaw};
 use crate::engine::{Periods, Planes, extras_near, extras_of_pair, extras_on_wall};
@@ -29,6 +30,8 @@ pub enum Binding {
     Stiffness(u64),
     /// The stiffness and damping of the bonds of this grain, with its present contacts.
     Bonds(u64),
+    /// The stiffness of the present contacts of the clump whose first member is this grain.
+    Clump(u64),
     /// The speed of this grain.
     Speed(u64),
     /// The stiffness of the present contacts of this wall, which slides.
@@ -42,6 +45,7 @@ impl fmt::Display for Binding {
             Self::Contact(grain) => write!(f, "the duration of a contact of grain {grain}"),
             Self::Stiffness(grain) => write!(f, "the stiffness of the contacts of grain {grain}"),
             Self::Bonds(grain) => write!(f, "the stiffness of the bonds of grain {grain}"),
+            Self::Clump(grain) => write!(f, "the stiffness of the contacts of the clump of grain {grain}"),
             Self::Speed(grain) => write!(f, "the speed of grain {grain}"),
             Self::Wall(wall) => write!(f, "the stiffness of the contacts of the wall \"{wall}\""),
         }
@@ -77,6 +81,9 @@ pub enum Substep {
 /// 4. for bonded grains, A Δt² + 2 B Δt = 4 m with A = Σ_c 2 k_c and B = 2 ζ √(A m) of the contacts, and what bonds add to
 ///    both ([`Resistance`]).
 ///
+/// Where a member of a clump is pushed, 1/m is how far the clump gives way there ([`Mobility`](crate::body::Mobility)), and a
+/// clump feels the contacts of all its members.
+///
 /// Source: Belytschko, Liu & Moran, Nonlinear Finite Elements (2000), section 6.2 for the damped limit;
 /// Otsubo, O'Sullivan & Shire, Comput. Geotech. 86 (2017) 170–182 for many contacts.
 pub fn critical_time_step<const D: usize>(scene: &Scene<D>, world: &World<D>) -> CriticalStep {
@@ -100,12 +107,25 @@ fn by_law<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>, law:
         }
     };
     let damping = scene.materials.largest_damping_ratio();
-    let damped = (1.0 + damping * damping).sqrt() - damping;
+    let damped_by = |damping: f64| (1.0 + damping * damping).sqrt() - damping;
+    let damped = damped_by(damping);
     for (wall, servo) in scene.walls.servos.iter().enumerate() {
         if let Some(servo) = servo {
             let step = 2.0 * damped / (of_walls[wall] / servo.mass).sqrt();
             bound(step, Binding::Wall(scene.walls.names[wall].clone()));
         }
+    }
+    let members = Members::tie(&world.bodies, grains);
+    // 1/m where a normal force pushes, times the mass that the contact's constants count with.
+    let mut eased = vec![1.0; grains.len()];
+    for (clump, rows) in members.of_each(&world.bodies) {
+        let (mass, mut square, mut most_eased) = (clump.shape.mass(), 0.0, 1.0_f64);
+        for (&row, mobility) in rows.iter().zip(clump.shape.mobilities()) {
+            eased[row as usize] = mobility.normal * mass;
+            square += of_grains[row as usize] * mobility.any;
+            most_eased = most_eased.max(mobility.any * mass);
+        }
+        bound(2.0 * damped_by(damping * most_eased.sqrt()) / square.sqrt(), Binding::Clump(clump.first));
     }
     for (row, stiffness) in of_grains.into_iter().enumerate() {
         let (motion, radius, material) =
@@ -116,9 +136,12 @@ fn by_law<const D: usize, N: Normal<D>>(scene: &Scene<D>, world: &World<D>, law:
         let (id, poissons_ratio) = (grains.id[row], scene.materials.get(material).poissons_ratio);
         for other in 0..scene.materials.len() as u32 {
             let pair = scene.materials.pair(material, other);
-            bound(law.resolving_step(pair, poissons_ratio, grains.mass[row], radius), Binding::Contact(id));
+            let step = law.resolving_step(pair, poissons_ratio, grains.mass[row], radius);
+            bound(step / eased[row].sqrt(), Binding::Contact(id));
         }
-        bound(2.0 * damped / (stiffness * motion.inverse_mass).sqrt(), Binding::Stiffness(id));
+        if motion.is_loose() {
+            bound(2.0 * damped / (stiffness * motion.inverse_mass).sqrt(), Binding::Stiffness(id));
+        }
         bound(LARGEST_FLIGHT * radius / motion.velocity.norm(), Binding::Speed(id));
     }
     critical

@@ -35,7 +35,7 @@ impl<const D: usize> Deletion<D> {
 /// What was taken out so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Taken {
-    /// How many grains.
+    /// How many grains and clumps.
     pub count: u64,
     /// Their mass \[kg\].
     pub mass: f64,

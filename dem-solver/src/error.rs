@@ -84,6 +84,14 @@ pub enum DemError {
         /// Number of grains.
         grains: usize,
     },
+    /// Clumps feel no fluid.
+    #[error(
+        "clump: there are {clumps} clumps in a fluid, which would not feel it; insert grains, or leave out [fluid]"
+    )]
+    ClumpsInFluid {
+        /// How many.
+        clumps: usize,
+    },
     /// The fluid asks for a drag or an added mass that would drive the grain.
     #[error(
         "hydro frame, grain {grain}: exchange coefficient {exchange_coefficient} kg/s, added mass {added_mass} kg; neither may be negative or not a number; look at the drag law and the sampled fluid"

@@ -1,5 +1,6 @@
 //! The grains: packed rows, one per grain, near neighbours near in memory.
 
+use crate::body::Carried;
 use crate::lanes::{Row4, Row8};
 use crate::vector::{Spin, Vector, embed, restrict};
 
@@ -13,7 +14,11 @@ pub struct Place {
     pub radius: f64,
 }
 
-/// How a grain moves, and how it resists, `[v 1/m | ω 1/I]`; in 2D only v_x, v_y and ω_z are not 0.
+/// 1/I of a member of a clump: no torque turns it, its clump does. The sign tells it from a grain that does not turn.
+pub const CARRIED_INERTIA: f64 = -0.0;
+
+/// How a grain moves, and how it resists, `[v 1/m | ω 1/I]`; in 2D only v_x, v_y and ω_z are not 0. A member of a clump
+/// moves as the clump carries it, and resists with the clump's mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct Motion {
@@ -23,7 +28,8 @@ pub struct Motion {
     pub inverse_mass: f64,
     /// Angular velocity ω \[rad/s\].
     pub angular_velocity: Spin,
-    /// 1/I \[1/(kg m²)\]; 0 for a frozen grain and for a micro grain, which does not turn.
+    /// 1/I \[1/(kg m²)\]; 0 for a frozen grain and for a micro grain, which does not turn, [`CARRIED_INERTIA`] for a member
+    /// of a clump.
     pub inverse_inertia: f64,
 }
 
@@ -46,7 +52,17 @@ impl Motion {
         }
     }
 
-    /// Energy of rotation I ω²/2 \[J\]; none of a grain that does not turn.
+    /// That of a member of a clump of this mass \[kg\].
+    pub fn carried(carried: &Carried, mass: f64) -> Self {
+        Self {
+            velocity: carried.velocity,
+            inverse_mass: 1.0 / mass,
+            angular_velocity: carried.angular_velocity,
+            inverse_inertia: CARRIED_INERTIA,
+        }
+    }
+
+    /// Energy of rotation I ω²/2 \[J\]; none of a grain that does not turn by itself.
     pub fn rotational_energy(&self) -> f64 {
         if self.inverse_inertia == 0.0 {
             return 0.0;
@@ -58,6 +74,18 @@ impl Motion {
     #[inline]
     pub fn is_frozen(&self) -> bool {
         self.inverse_mass == 0.0
+    }
+
+    /// Whether the grain is a member of a clump, which moves it.
+    #[inline]
+    pub fn is_carried(&self) -> bool {
+        self.inverse_inertia.is_sign_negative()
+    }
+
+    /// Whether the grain moves by itself.
+    #[inline]
+    pub fn is_loose(&self) -> bool {
+        !self.is_frozen() && !self.is_carried()
     }
 }
 
@@ -116,7 +144,7 @@ pub struct Grains {
     pub place: Vec<Place>,
     /// Motions.
     pub motion: Vec<Motion>,
-    /// Masses m \[kg\], of frozen grains too.
+    /// Masses m \[kg\], of frozen grains too; of members of a clump the clump's.
     pub mass: Vec<f64>,
     /// Materials, as indices.
     pub material: Vec<u32>,
@@ -163,6 +191,15 @@ impl Grains {
         self.motion.push(if grain.frozen { Motion::frozen() } else { free });
         self.mass.push(mass);
         self.material.push(grain.material);
+    }
+
+    /// Adds a member, of this identity and radius \[m\], of a clump of this mass \[kg\] as the last row.
+    pub fn push_member(&mut self, id: u64, carried: &Carried, radius: f64, mass: f64, material: u32) {
+        self.id.push(id);
+        self.place.push(Place { centre: carried.centre, radius });
+        self.motion.push(Motion::carried(carried, mass));
+        self.mass.push(mass);
+        self.material.push(material);
     }
 
     /// Keeps the rows `order`, in that order.

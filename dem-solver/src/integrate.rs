@@ -3,6 +3,7 @@
 use interface::HydroRow;
 use rayon::prelude::*;
 
+use crate::clumped::Flight;
 use crate::engine::{Advance, Arriving, Fastest, Fly, Join, Moved, Rows, Speeds, by_target};
 use crate::fault::Fault;
 use crate::grains::{AsRows, Motion, Place};
@@ -17,8 +18,8 @@ use crate::world::World;
 const FLOCK: usize = 8192;
 
 /// Flies all grains for `time` \[s\] at their velocities.
-pub fn drift<const D: usize>(world: &mut World<D>, workspace: &Workspace<D>, time: f64) {
-    let World { grains, contacts, bonds, .. } = world;
+pub fn drift<const D: usize>(world: &mut World<D>, workspace: &mut Workspace<D>, time: f64) {
+    let World { grains, contacts, bonds, bodies, .. } = world;
     bonds.fly(time);
     let (backend, frame) = (workspace.backend, contacts.approach.frame);
     let flocks = grains.place.par_chunks_mut(FLOCK).zip(grains.motion.par_chunks(FLOCK));
@@ -27,6 +28,8 @@ pub fn drift<const D: usize>(world: &mut World<D>, workspace: &Workspace<D>, tim
         backend.run(Fly { places, motions, flight: time, frame })
     };
     let fastest = flocks.map(fly).reduce(Fastest::none, |all, of_flock| all.joined(&of_flock));
+    let flight = Flight { backend, periods: &workspace.periods, frame, kick: None, time };
+    let fastest = fastest.joined(&flight.fly(bodies, grains, &mut workspace.members));
     contacts.approach = fastest.approach();
     contacts.spend(&fastest.approach(), time);
 }
@@ -37,6 +40,8 @@ struct Task<'a, const D: usize> {
     places: &'a mut [Place],
     motions: &'a mut [Motion],
     loads: &'a mut [Row8],
+    /// What clumps are to gather of them; empty without clumps.
+    gathered: &'a mut [Row8],
     arriving: Vec<Arriving<'a>>,
     scratch: &'a mut ChunkScratch<D>,
     impulses: &'a mut [Impulse<D>],
@@ -61,7 +66,7 @@ struct Inputs<'a, const D: usize> {
 /// (position Verlet): the state between windows is x and v at one instant, and nothing else.
 ///
 /// Loads that chunks put on each other's rows are joined in the order of chunks: the same bits from any number of
-/// threads.
+/// threads. Members of clumps are first moved as if they were loose, then put where their clumps carry them.
 pub fn advance<const D: usize>(
     scene: &Scene<D>,
     world: &mut World<D>,
@@ -70,9 +75,10 @@ pub fn advance<const D: usize>(
     step: f64,
     flight: f64,
 ) {
-    let World { grains, contacts, bonds, .. } = world;
+    let World { grains, contacts, bonds, bodies, .. } = world;
     bonds.fly(flight);
-    let Workspace { backend, chunks: scratches, loads, relaxation, impulse, late, .. } = workspace;
+    let Workspace { backend, chunks: scratches, loads, relaxation, impulse, late, members, periods, .. } =
+        workspace;
     let inputs = Inputs {
         scene,
         backend: *backend,
@@ -84,7 +90,7 @@ pub fn advance<const D: usize>(
         frame: contacts.approach.frame,
     };
     let (mut places, mut motions) = (grains.place.as_mut_slice(), grains.motion.as_mut_slice());
-    let mut impulses = impulse.as_mut_slice();
+    let (mut impulses, mut gathered) = (impulse.as_mut_slice(), members.loads.as_mut_slice());
     let mut tasks = Vec::with_capacity(contacts.chunks.len());
     let parts = by_target(&contacts.chunks, loads).into_iter().zip(scratches);
     for (chunk, ((loads, arriving), scratch)) in contacts.chunks.iter().zip(parts) {
@@ -92,12 +98,15 @@ pub fn advance<const D: usize>(
         let (of_places, later_places) = places.split_at_mut(count);
         let (of_motions, later_motions) = motions.split_at_mut(count);
         let (of_impulses, later_impulses) = impulses.split_at_mut(count.min(impulses.len()));
+        let (of_clumps, later_gathered) = gathered.split_at_mut(count.min(gathered.len()));
         (places, motions, impulses) = (later_places, later_motions, later_impulses);
+        gathered = later_gathered;
         tasks.push(Task {
             first: chunk.rows.start,
             places: of_places,
             motions: of_motions,
             loads,
+            gathered: of_clumps,
             arriving,
             scratch,
             impulses: of_impulses,
@@ -105,7 +114,11 @@ pub fn advance<const D: usize>(
     }
     let fastest: Vec<Fastest> = tasks.into_par_iter().map(|task| inputs.advance_chunk(task)).collect();
     let before = contacts.approach;
-    let after = fastest.iter().fold(Fastest::none(), |all, of_chunk| all.joined(of_chunk)).approach();
+    let gravity = embed(&scene.gravity);
+    let clumps =
+        Flight { backend: *backend, periods, frame: before.frame, kick: Some((gravity, step)), time: flight };
+    let of_clumps = clumps.fly(bodies, grains, members);
+    let after = fastest.iter().fold(of_clumps, |all, of_chunk| all.joined(of_chunk)).approach();
     contacts.spend(&after, flight);
     // A grain that relaxes to the fluid flies on with some of its velocity before, and catches up.
     contacts.spend(&before, *late * step);
@@ -115,10 +128,11 @@ pub fn advance<const D: usize>(
 
 impl<const D: usize> Inputs<'_, D> {
     fn advance_chunk(&self, task: Task<D>) -> Fastest {
-        let Task { first, places, motions, loads, arriving, scratch, impulses } = task;
+        let Task { first, places, motions, loads, gathered, arriving, scratch, impulses } = task;
         for from in arriving {
             self.backend.run(Join { first, from, to: &mut *loads });
         }
+        gathered.copy_from_slice(&loads[..gathered.len()]);
         let moved = match self.hydro {
             None => {
                 let grains = Rows { places: places.as_rows_mut(), motions: motions.as_rows_mut() };
@@ -200,18 +214,22 @@ impl<const D: usize> Inputs<'_, D> {
     }
 }
 
-/// The first grain that is nowhere, or has left a domain that it must not leave: looked for once a window.
+/// The first grain or clump that is nowhere, or has left a domain that it must not leave: looked for once a window.
 pub fn misplaced<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Option<Fault> {
-    let grains = &world.grains;
-    grains.place.iter().zip(&grains.id).find_map(|(place, &grain)| {
-        if !place.centre.sum().is_finite() {
+    let fault = |centre: &Spin, grain: u64| {
+        if !centre.sum().is_finite() {
             Some(Fault::NotFinite { grain })
-        } else if scene.escape == Escape::Stop && !scene.domain.holds(&place.at()) {
-            Some(Fault::Escaped { grain, at: place.centre.into() })
+        } else if scene.escape == Escape::Stop && !scene.domain.holds(&restrict(centre)) {
+            Some(Fault::Escaped { grain, at: (*centre).into() })
         } else {
             None
         }
-    })
+    };
+    let World { grains, bodies, .. } = world;
+    let rows = grains.place.iter().zip(&grains.motion).zip(&grains.id);
+    let mut alone = rows.filter(|((_, motion), _)| !motion.is_carried());
+    let of_grains = alone.find_map(|((place, _), &grain)| fault(&place.centre, grain));
+    of_grains.or_else(|| bodies.as_slice().iter().find_map(|clump| fault(&clump.body.centre, clump.first)))
 }
 
 /// Three components as they come from the coupler; those that the scene does not have are 0.

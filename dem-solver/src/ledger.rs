@@ -3,7 +3,8 @@
 use interface::HydroRow;
 use interface::ledger::GrainLedger;
 
-use crate::grains::Motion;
+use crate::body::Rigid;
+use crate::kinetic_energy::kinetic_energies;
 use crate::scene::Scene;
 use crate::vector::{Spin, Vector, embed, restrict};
 use crate::wall::WallImpulse;
@@ -15,7 +16,7 @@ use crate::world::World;
 /// `momentum` - `momentum_before` + `added_mass` = `gravity` + `walls` + `frozen` + `drag` + `explicit`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ledger<const D: usize> {
-    /// Number of grains, frozen ones included.
+    /// Number of grains, frozen ones and members of clumps included.
     pub count: u64,
     /// Mass of the moving grains \[kg\].
     pub mass: f64,
@@ -89,14 +90,14 @@ impl<const D: usize> Ledger<D> {
         let grains = &world.grains;
         self.count = grains.len() as u64;
         self.momentum = momentum(world);
+        self.kinetic_energy = kinetic_energies(world).iter().sum();
+        for Rigid { shape, body, .. } in world.bodies.as_slice() {
+            self.weigh(scene, shape.mass(), (&body.centre, &body.velocity), duration);
+        }
         for (row, motion) in grains.motion.iter().enumerate() {
             let mass = grains.mass[row];
-            if !motion.is_frozen() {
-                self.mass += mass;
-                self.gravity += scene.gravity * (mass * duration);
-                self.scale += mass * (scene.gravity.norm() * duration + motion.velocity.norm());
-                self.kinetic_energy += kinetic_energy(motion);
-                self.potential_energy -= mass * scene.gravity.dot(&grains.place[row].at());
+            if motion.is_loose() {
+                self.weigh(scene, mass, (&grains.place[row].centre, &motion.velocity), duration);
             }
             if let Some(hydro) = hydro {
                 let explicit: Vector<D> = restrict(&Spin::from(hydro[row].force)) * duration;
@@ -116,6 +117,14 @@ impl<const D: usize> Ledger<D> {
         self.frozen = -workspace.chunks.iter().map(|chunk| chunk.frozen_impulse).sum::<Vector<D>>();
         self.walls = -self.wall_impulse.iter().map(|wall| wall.linear).sum::<Vector<D>>();
         self.scale += self.walls.norm() + self.frozen.norm();
+    }
+
+    /// Books a body of this mass \[kg\], centre and velocity that moved under gravity for `duration` \[s\].
+    fn weigh(&mut self, scene: &Scene<D>, mass: f64, (centre, velocity): (&Spin, &Spin), duration: f64) {
+        self.mass += mass;
+        self.gravity += scene.gravity * (mass * duration);
+        self.scale += mass * (scene.gravity.norm() * duration + velocity.norm());
+        self.potential_energy -= mass * scene.gravity.dot(&restrict(centre));
     }
 
     /// What the books fail to close by \[N s\].
@@ -144,14 +153,13 @@ impl<const D: usize> Ledger<D> {
     }
 }
 
-/// Momentum Σ m v of the moving grains.
+/// Momentum Σ m v of the moving grains and clumps.
 pub fn momentum<const D: usize>(world: &World<D>) -> Vector<D> {
     let grains = &world.grains;
-    let moving = grains.motion.iter().zip(&grains.mass).filter(|(motion, _)| !motion.is_frozen());
-    moving.map(|(motion, &mass)| restrict::<D>(&motion.velocity) * mass).sum()
-}
-
-/// Kinetic energy m v²/2 + I ω²/2 of a moving grain.
-fn kinetic_energy(motion: &Motion) -> f64 {
-    0.5 * motion.velocity.norm_squared() / motion.inverse_mass + motion.rotational_energy()
+    let moving = grains.motion.iter().zip(&grains.mass).filter(|(motion, _)| motion.is_loose());
+    let of_grains: Vector<D> = moving.map(|(motion, &mass)| restrict::<D>(&motion.velocity) * mass).sum();
+    let clumps = world.bodies.as_slice().iter();
+    let of_clumps: Vector<D> =
+        clumps.map(|clump| restrict::<D>(&clump.body.velocity) * clump.shape.mass()).sum();
+    of_grains + of_clumps
 }

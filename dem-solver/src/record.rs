@@ -3,6 +3,8 @@
 use crate::bond_series::{bond_row, bond_titles};
 use crate::bulk::{bulk_row, bulk_titles};
 use crate::error::DemError;
+use crate::grains::Place;
+use crate::kinetic_energy::kinetic_energies;
 use crate::scene::Scene;
 use crate::turnover_series::{turnover_row, turnover_titles};
 use crate::vector::{embed, restrict};
@@ -89,7 +91,7 @@ impl Record {
         self.bond_row(scene, world)?;
         self.turnover = begin(&of_turnover, &turnover_titles(scene, world))?;
         self.turnover_row(scene, world)?;
-        if self.films_start { self.frame(world, 0) } else { Ok(()) }
+        if self.films_start { self.frame(scene, world, 0) } else { Ok(()) }
     }
 
     /// Goes on after the world's time; later rows and frames are cut.
@@ -151,26 +153,26 @@ impl Record {
         Ok(series.row(&row)?)
     }
 
-    /// Means over all grains: place, velocity (not weighted), and what is largest.
+    /// Means over all grains and clumps: place, velocity (not weighted), and what is largest.
     fn grain_row<const D: usize>(&mut self, world: &World<D>) -> Result<(), DemError> {
         let Some(series) = &mut self.series else { return Ok(()) };
-        let grains = &world.grains;
-        let count = grains.len() as f64;
-        let (mut place, mut velocity) = ([0.0; 3], [0.0; 3]);
-        let (mut fastest, mut highest, mut energy) = (0.0_f64, f64::NEG_INFINITY, 0.0);
-        for (at, motion) in grains.place.iter().zip(&grains.motion) {
-            let (centre, speed) = (at.centre, motion.velocity);
+        let World { grains, bodies, .. } = world;
+        let rows = grains.place.iter().zip(&grains.motion).filter(|(_, motion)| !motion.is_carried());
+        let of_grains = rows.map(|(at, motion)| (at.centre, motion.velocity));
+        let of_clumps = bodies.as_slice().iter().map(|clump| (clump.body.centre, clump.body.velocity));
+        let all = of_grains.chain(of_clumps);
+        let count = all.clone().count() as f64;
+        let (mut place, mut velocity, mut fastest) = ([0.0; 3], [0.0; 3], 0.0_f64);
+        for (centre, speed) in all {
             (0..3).for_each(|k| {
                 place[k] += centre[k] / count;
                 velocity[k] += speed[k] / count;
             });
-            fastest = fastest.max(motion.velocity.norm());
-            highest = highest.max(at.centre[D - 1] + at.radius);
-            if !motion.is_frozen() {
-                energy +=
-                    0.5 * motion.velocity.norm_squared() / motion.inverse_mass + motion.rotational_energy();
-            }
+            fastest = fastest.max(speed.norm());
         }
+        let top = |at: &Place| at.centre[D - 1] + at.radius;
+        let highest = grains.place.iter().map(top).fold(f64::NEG_INFINITY, f64::max);
+        let energy = kinetic_energies(world).iter().sum();
         let [x, y, z] = place;
         let [vx, vy, vz] = velocity;
         let row = [world.time, count, x, y, z, vx, vy, vz, fastest, highest, energy];
@@ -181,7 +183,12 @@ impl Record {
     ///
     /// # Errors
     /// The disk's.
-    pub fn frame<const D: usize>(&mut self, world: &World<D>, number: u64) -> Result<(), DemError> {
+    pub fn frame<const D: usize>(
+        &mut self,
+        scene: &Scene<D>,
+        world: &World<D>,
+        number: u64,
+    ) -> Result<(), DemError> {
         let Some(frames) = &mut self.frames else { return Ok(()) };
         let grains = &world.grains;
         let centres: Vec<[f64; D]> = grains.place.iter().map(|place| place.at::<D>().into()).collect();
@@ -191,18 +198,29 @@ impl Record {
         let spins: Vec<[f64; 3]> =
             grains.motion.iter().map(|motion| motion.angular_velocity.into()).collect();
         let materials: Vec<u64> = grains.material.iter().map(|material| u64::from(*material)).collect();
-        let fields = [
+        let bodies = body_of_each(world);
+        let mut fields = vec![
             Field::whole("id", &grains.id),
             Field::scalar("radius", &radii),
             Field::vector("velocity", &velocities),
             Field::vector("angular_velocity", &spins),
             Field::whole("material", &materials),
         ];
+        if !scene.clumps.is_empty() {
+            fields.push(Field::whole("body", &bodies));
+        }
         let name = format!("grains-{number:05}.vtp");
         let points = GrainPoints { centres: &centres, fields: &fields };
         points.write(&self.out.join("frames").join(&name), self.format)?;
         Ok(frames.push(world.time, &name)?)
     }
+}
+
+/// The body that each grain is of: the first member of its clump, or itself.
+fn body_of_each<const D: usize>(world: &World<D>) -> Vec<u64> {
+    let World { grains, bodies, .. } = world;
+    let body = |&id: &u64| bodies.of(id).map_or(id, |(clump, _)| bodies.as_slice()[clump].first);
+    grains.id.iter().map(body).collect()
 }
 
 /// A new series, unless it would hold nothing but the time.

@@ -1,5 +1,6 @@
 //! What stays the same during a run: materials, walls, laws, gravity, the domain.
 
+use crate::body::ClumpKind;
 use crate::bond::BondLaw;
 use crate::contact::{Coefficients, ExtraConstants, Extras, NormalLaw, normal::Normal};
 use crate::deletion::Deletion;
@@ -39,6 +40,8 @@ pub struct Scene<const D: usize> {
     pub extras: Extras,
     /// Laws of bonds.
     pub bond_laws: Vec<BondLaw>,
+    /// Kinds of clumps.
+    pub clumps: Vec<ClumpKind>,
     /// The walls.
     pub walls: Walls<D>,
     /// Where grains are taken out.
@@ -59,6 +62,7 @@ impl<const D: usize> Scene<D> {
             normal_law,
             extras: Extras::default(),
             bond_laws: vec![],
+            clumps: vec![],
             walls: Walls::new(vec![]),
             deletions: vec![],
         }
@@ -87,6 +91,11 @@ impl<const D: usize> Scene<D> {
     /// The scene with these laws of bonds.
     pub fn with_bond_laws(self, bond_laws: Vec<BondLaw>) -> Self {
         Self { bond_laws, ..self }
+    }
+
+    /// The scene with these kinds of clumps.
+    pub fn with_clumps(self, clumps: Vec<ClumpKind>) -> Self {
+        Self { clumps, ..self }
     }
 
     /// Constants of the contact of two materials at this effective radius \[m\] and effective mass \[kg\]; nothing

@@ -6,13 +6,13 @@ use crate::deletion::Taken;
 use crate::engine::{Periods, order_expired, put_in_order};
 use crate::error::DemError;
 use crate::scene::{Escape, Scene};
-use crate::vector::{Vector, restrict};
+use crate::vector::{Spin, Vector, restrict};
 use crate::world::World;
 
 /// Grains that came or went.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossed<const D: usize> {
-    /// How many.
+    /// How many, each member of a clump one.
     pub count: u64,
     /// Their mass \[kg\].
     pub mass: f64,
@@ -21,13 +21,28 @@ pub struct Crossed<const D: usize> {
 }
 
 impl<const D: usize> Crossed<D> {
+    /// Of these rows, with the clumps of which a first member is among them.
     fn of(world: &World<D>, rows: impl Iterator<Item = usize>) -> Self {
-        let grains = &world.grains;
-        rows.fold(Self { count: 0, mass: 0.0, momentum: Vector::zeros() }, |sum, row| Self {
-            count: sum.count + 1,
-            mass: sum.mass + grains.mass[row],
-            momentum: sum.momentum + restrict::<D>(&grains.motion[row].velocity) * grains.mass[row],
-        })
+        let mut sum = Self { count: 0, mass: 0.0, momentum: Vector::zeros() };
+        for row in rows {
+            sum.count += 1;
+            if let Some((mass, velocity)) = counted(world, row) {
+                sum.mass += mass;
+                sum.momentum += restrict::<D>(&velocity) * mass;
+            }
+        }
+        sum
+    }
+}
+
+/// Mass \[kg\] and velocity \[m/s\] that a row counts with: those of its clump in the row of the first member, nothing in those
+/// of the others.
+fn counted<const D: usize>(world: &World<D>, row: usize) -> Option<(f64, Spin)> {
+    let World { grains, bodies, .. } = world;
+    match bodies.of(grains.id[row]) {
+        None => Some((grains.mass[row], grains.motion[row].velocity)),
+        Some((clump, 0)) => Some((grains.mass[row], bodies.as_slice()[clump].body.velocity)),
+        Some(_) => None,
     }
 }
 
@@ -81,9 +96,11 @@ fn wrap<const D: usize>(scene: &Scene<D>, world: &mut World<D>) {
             world.contacts.spent.walls = f64::INFINITY;
         }
     }
+    world.bodies.as_mut_slice().iter_mut().for_each(|clump| periods.wrap(&mut clump.body.centre));
 }
 
-/// Removes the grains that go, and books each with the deletion that took it, or with those that left the domain.
+/// Removes the grains and clumps that go, and books each with the deletion that took it, or with those that left the
+/// domain. A clump goes whole, when its centre of mass goes.
 fn remove<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Crossed<D> {
     let taker = |centre: &Vector<D>| {
         let escaped = || {
@@ -93,7 +110,10 @@ fn remove<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Crossed<D> 
     };
     let (mut staying, mut leaving) = (Vec::new(), Vec::new());
     for row in 0..world.grains.len() {
-        match taker(&world.grains.place[row].at()) {
+        let clump = world.bodies.of(world.grains.id[row]);
+        let centre =
+            clump.map_or(world.grains.place[row].centre, |(k, _)| world.bodies.as_slice()[k].body.centre);
+        match taker(&restrict(&centre)) {
             None => staying.push(row as u32),
             Some(taker) => leaving.push((row, taker)),
         }
@@ -104,11 +124,14 @@ fn remove<const D: usize>(scene: &Scene<D>, world: &mut World<D>) -> Crossed<D> 
     }
     world.taken.resize(scene.deletions.len() + 1, Taken::default());
     for &(row, taker) in &leaving {
-        world.taken[taker].count += 1;
-        world.taken[taker].mass += world.grains.mass[row];
+        if let Some((mass, _)) = counted(world, row) {
+            world.taken[taker].count += 1;
+            world.taken[taker].mass += mass;
+        }
     }
     let gone: HashSet<u64> = leaving.iter().map(|&(row, _)| world.grains.id[row]).collect();
     world.bonds.sweep(|grain| !gone.contains(&grain));
+    world.bodies.retain(|clump| !gone.contains(&clump.first));
     world.reorder(&staying);
     world.removed += removed.count;
     removed

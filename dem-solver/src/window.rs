@@ -19,7 +19,8 @@ use crate::world::World;
 /// What each grain received is left in `workspace.impulse` when there is a fluid.
 ///
 /// # Errors
-/// The first fault of a step; a window that is no time; a bond without its grains; rows of the fluid that do not fit the grains.
+/// The first fault of a step; a window that is no time; a bond without its grains; rows of the fluid that do not fit the
+/// grains, or clumps in a fluid.
 pub fn window<const D: usize>(
     scene: &Scene<D>,
     world: &mut World<D>,
@@ -34,6 +35,9 @@ pub fn window<const D: usize>(
     }
     workspace.open(scene, world);
     workspace.links = links(scene, world)?;
+    if hydro.is_some() && !world.bodies.is_empty() {
+        return Err(DemError::ClumpsInFluid { clumps: world.bodies.as_slice().len() });
+    }
     if let Some(rows) = hydro {
         relax(world, workspace, rows, dt)?;
     }

@@ -1,6 +1,7 @@
 //! Scratch: nothing here outlives a window, nothing of it is ever stored.
 
 use crate::bond::Links;
+use crate::clumped::Members;
 use crate::contact::Pressed;
 use crate::engine::{ChunkLoads, ContactList, Periods, Planes, WallContact};
 use crate::fault::Fault;
@@ -80,6 +81,8 @@ pub struct Workspace<const D: usize> {
     pub loads: Vec<ChunkLoads>,
     /// The bonds tied to the rows of this window.
     pub links: Links,
+    /// The members of clumps tied to the rows of this window.
+    pub members: Members,
     /// How each grain relaxes to the fluid in a substep of this window; empty without fluid.
     pub relaxation: Vec<Relaxation>,
     /// How much of a substep the grain that relaxes fastest flies on with its old velocity.
@@ -105,6 +108,7 @@ impl<const D: usize> Workspace<D> {
             chunks: vec![],
             loads: vec![],
             links: Links::default(),
+            members: Members::default(),
             relaxation: vec![],
             late: 0.0,
             impulse: vec![],
@@ -116,6 +120,7 @@ impl<const D: usize> Workspace<D> {
         self.planes = Planes::of(scene);
         self.periods = Periods::new(&scene.domain);
         self.chunks.iter_mut().for_each(|chunk| chunk.open(scene.walls.len()));
+        self.members = Members::tie(&world.bodies, &world.grains);
         self.fit(scene.walls.len(), &world.contacts);
         self.relaxation.clear();
         self.late = 0.0;

@@ -1,5 +1,6 @@
 //! The state: all that a checkpoint holds, and all that a coupling iteration goes back to.
 
+use crate::body::{Bodies, Body, ClumpKind, Rigid};
 use crate::bond::Bonds;
 use crate::deletion::Taken;
 use crate::engine::ContactList;
@@ -15,6 +16,8 @@ pub struct World<const D: usize> {
     pub time: f64,
     /// The grains.
     pub grains: Grains,
+    /// The clumps that some of them are members of.
+    pub bodies: Bodies,
     /// Who is near whom, and what contacts remember.
     pub contacts: ContactList,
     /// Who is bonded to whom.
@@ -43,6 +46,7 @@ impl<const D: usize> World<D> {
         Self {
             time: 0.0,
             grains: Grains::new(),
+            bodies: Bodies::default(),
             contacts: ContactList::new(),
             bonds: Bonds::default(),
             slides: vec![],
@@ -60,6 +64,17 @@ impl<const D: usize> World<D> {
         let mass = density * volume::<D>(grain.radius, scene.depth);
         self.grains.push(self.born, grain, mass, scene.materials.is_micro(grain.material));
         self.born += 1;
+        self.contacts.expire();
+    }
+
+    /// Gives birth to a clump of this kind of the scene, and to the grains that are its members.
+    pub fn add_clump(&mut self, scene: &Scene<D>, kind: u32, body: Body) {
+        let ClumpKind { shape, material, .. } = &scene.clumps[kind as usize];
+        self.bodies.push(Rigid { first: self.born, kind, shape: shape.clone(), body });
+        for (carried, member) in body.members(shape).zip(shape.members()) {
+            self.grains.push_member(self.born, &carried, member.radius, shape.mass(), *material);
+            self.born += 1;
+        }
         self.contacts.expire();
     }
 
@@ -89,9 +104,11 @@ impl<const D: usize> World<D> {
     }
 
     fn copy_from(&mut self, other: &Self) {
-        let Self { time, grains, contacts, bonds, slides, received, born, removed, taken, feeds } = other;
+        let Self { time, grains, bodies, contacts, bonds, slides, received, born, removed, taken, feeds } =
+            other;
         (self.time, self.born, self.removed) = (*time, *born, *removed);
         self.grains.copy_from(grains);
+        self.bodies.copy_from(bodies);
         self.contacts.copy_from(contacts);
         self.bonds.copy_from(bonds);
         self.slides.clone_from(slides);

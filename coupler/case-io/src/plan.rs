@@ -44,6 +44,7 @@ parts! {
     Lubrication: "lubrication",
     Cohesion: "cohesion",
     Bonds: "bonds",
+    Clumps: "clumps",
     PlaneWalls: "plane walls",
     RoundWalls: "round walls",
     TriangleWalls: "triangle walls",

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion};
 
-use super::{Body, BodyError, MassProperties};
+use super::{Body, BodyError, MassProperties, Mobility};
 use crate::vector::Vector;
 
 /// A principal moment may be larger than the sum of the others by this fraction: flat bodies, rounded.
@@ -25,6 +25,7 @@ pub struct Clump {
     moments: [f64; 3],
     centre: Vector<3>,
     axes: UnitQuaternion<f64>,
+    mobilities: Vec<Mobility>,
 }
 
 impl Clump {
@@ -83,7 +84,9 @@ impl Clump {
             offset: axes.inverse_transform_vector(&(member.offset - centre)),
             ..*member
         };
-        Ok(Self { members: members.iter().map(into_principal).collect(), mass, moments, centre, axes })
+        let members: Vec<_> = members.iter().map(into_principal).collect();
+        let mobilities = members.iter().map(|member| Mobility::of(member, mass, &moments)).collect();
+        Ok(Self { members, mass, moments, centre, axes, mobilities })
     }
 
     /// A body of this shape: the clump's own frame lies at `origin` \[m\], turned by `rotation`; its centre of mass moves
@@ -109,6 +112,16 @@ impl Clump {
     /// The members, in the principal frame.
     pub fn members(&self) -> &[Member] {
         &self.members
+    }
+
+    /// How it gives way where its members are pushed, in their order.
+    pub fn mobilities(&self) -> &[Mobility] {
+        &self.mobilities
+    }
+
+    /// Radius of the smallest sphere around its centre of mass that holds all members \[m\].
+    pub fn bounding_radius(&self) -> f64 {
+        self.members.iter().map(|member| member.offset.norm() + member.radius).fold(0.0, f64::max)
     }
 
     /// m \[kg\].

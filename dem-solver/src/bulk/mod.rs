@@ -1,5 +1,6 @@
 //! What many contacts are together: coordination number, fabric, stress.
 
+mod clumps;
 mod contacts;
 mod coordination;
 mod fabric;

@@ -1,5 +1,6 @@
 //! `series/bulk.csv`: what the contacts are together.
 
+use super::clumps::contacts_of_bodies;
 use super::contacts::contacts_at_rest;
 use super::coordination::coordination;
 use super::fabric::fabric;
@@ -7,6 +8,7 @@ use super::stress::contact_stress;
 use super::tensor::{NAMES, Tensor, components};
 use super::volume::bulk_volume;
 use crate::contact::NormalLaw;
+use crate::kinetic_energy::kinetic_energies;
 use crate::scene::Scene;
 use crate::world::World;
 
@@ -24,7 +26,7 @@ pub fn bulk_titles<const D: usize>(scene: &Scene<D>) -> Vec<String> {
 
 /// The time and the values under these titles.
 pub fn bulk_row<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Vec<f64> {
-    let held = contacts_at_rest(scene, world);
+    let held = contacts_of_bodies(world, contacts_at_rest(scene, world));
     let touching: Vec<_> = held.iter().filter(|contact| contact.touches).copied().collect();
     let count = coordination(&touching, world.grains.len());
     let volume = bulk_volume(scene, world);
@@ -38,15 +40,4 @@ pub fn bulk_row<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Vec<f64> 
     row.push(volume);
     row.extend(kinetic_energies(world));
     row
-}
-
-/// Kinetic energy of translation, Σ m v²/2, and of rotation, Σ I ω²/2 \[J\].
-fn kinetic_energies<const D: usize>(world: &World<D>) -> [f64; 2] {
-    let moving = world.grains.motion.iter().filter(|motion| !motion.is_frozen());
-    moving.fold([0.0; 2], |[translation, rotation], motion| {
-        [
-            translation + 0.5 * motion.velocity.norm_squared() / motion.inverse_mass,
-            rotation + motion.rotational_energy(),
-        ]
-    })
 }

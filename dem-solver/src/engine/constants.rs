@@ -37,7 +37,7 @@ impl Alike {
             grains.place[row].radius == radius
                 && grains.mass[row] == mass
                 && grains.material[row] == material
-                && !grains.motion[row].is_frozen()
+                && grains.motion[row].is_loose()
         });
         let coefficients = scene.coefficients((material, material), 0.5 * radius, 0.5 * mass)?;
         same.then_some(Self { radius, coefficients })

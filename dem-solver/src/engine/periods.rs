@@ -47,6 +47,15 @@ impl Periods {
         a.radius + b.radius - unlane(self.nearest(lane(&(b.centre - a.centre)))).norm()
     }
 
+    /// The image of a point that is nearest to another.
+    pub fn image_near(&self, point: &Spin, other: &Spin) -> Spin {
+        if !self.wrap {
+            return *point;
+        }
+        let apart = point - other;
+        Spin::from_fn(|k, _| point[k] - (apart[k] * self.inverse[k]).round() * self.length[k])
+    }
+
     /// Brings a centre back into the domain.
     pub fn wrap(&self, centre: &mut Spin) {
         for axis in 0..3 {

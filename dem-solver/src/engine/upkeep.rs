@@ -77,7 +77,7 @@ fn find_pairs<const D: usize>(
     let (diameter, approach) = (world.grains.mean_diameter(), world.contacts.approach.between_grains);
     let largest = world.grains.largest_radius();
     let reach = scene.reach(largest);
-    let World { grains, contacts, bonds, .. } = world;
+    let World { grains, contacts, bonds, bodies, .. } = world;
     let periods = &workspace.periods;
     let shortest = (0..3).filter_map(|axis| periods.axis(axis)).map(|(_, period)| period);
     // Each neighbour must be seen once: half a period holds two largest grains, the reach of their laws and the skin.
@@ -96,7 +96,9 @@ fn find_pairs<const D: usize>(
     contacts.alike = Alike::of(scene, grains);
     let levels = Levels::new(grains, periods, reach + outer);
     let (backend, grains) = (workspace.backend, &*grains);
-    let apart = workspace.links.without_contact(&scene.bond_laws, bonds);
+    let mut apart = workspace.links.without_contact(&scene.bond_laws, bonds);
+    apart.extend(workspace.members.pairs(bodies));
+    apart.sort_unstable();
     contacts.chunks.par_iter_mut().for_each(|chunk| {
         chunk.stow_pairs();
         find_outer(backend, grains, (&levels, periods), reach + outer, &apart, chunk);

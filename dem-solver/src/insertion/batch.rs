@@ -1,11 +1,16 @@
 //! What grains of one insertion share.
 
+use super::clumps::ClumpStart;
+use super::occupancy::Ball;
+use super::random::Random;
 use super::sizes::Sizes;
 use crate::contact::COINCIDENT;
 use crate::domain::Domain;
 use crate::engine::{Grid, Periods};
-use crate::grains::{Grain, Grains};
+use crate::grains::{Grain, Grains, volume};
+use crate::scene::Scene;
 use crate::vector::{Spin, Vector};
+use crate::world::World;
 
 /// What grains of one insertion share.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,8 +19,10 @@ pub struct Batch<const D: usize> {
     pub name: String,
     /// Index of the material.
     pub material: u32,
-    /// Radii.
+    /// Radii; of clumps that of the sphere around each.
     pub sizes: Sizes,
+    /// How clumps begin, if such are inserted in place of grains.
+    pub clump: Option<ClumpStart>,
     /// Velocity \[m/s\].
     pub velocity: Vector<D>,
     /// Whether the grains are fixed in place.
@@ -23,6 +30,32 @@ pub struct Batch<const D: usize> {
 }
 
 impl<const D: usize> Batch<D> {
+    /// Adds a grain, or a clump, of this batch to the world.
+    pub fn add(&self, scene: &Scene<D>, world: &mut World<D>, place: &Ball<D>, random: &mut Random) {
+        match &self.clump {
+            None => world.add(scene, &self.grain(place.centre, place.radius)),
+            Some(start) => {
+                let kind = &scene.clumps[start.kind as usize];
+                world.add_clump(scene, start.kind, start.body(kind, &place.centre, &self.velocity, random));
+            }
+        }
+    }
+
+    /// Volume of a grain of this radius \[m\], or of a clump \[m³\].
+    pub fn volume(&self, scene: &Scene<D>, radius: f64) -> f64 {
+        self.clump.map_or_else(
+            || volume::<D>(radius, scene.depth),
+            |start| scene.clumps[start.kind as usize].volume,
+        )
+    }
+
+    /// Mass of a grain of this radius \[m\], or of a clump \[kg\].
+    pub fn mass(&self, scene: &Scene<D>, radius: f64) -> f64 {
+        let density = scene.materials.get(self.material).density;
+        let of_clump = |start: ClumpStart| scene.clumps[start.kind as usize].shape.mass();
+        self.clump.map_or_else(|| density * volume::<D>(radius, scene.depth), of_clump)
+    }
+
     /// A grain of this batch.
     pub fn grain(&self, centre: Vector<D>, radius: f64) -> Grain<D> {
         Grain {

@@ -1,6 +1,7 @@
 //! Where grains come from.
 
 mod batch;
+mod clumps;
 mod file;
 mod lattice;
 mod occupancy;
@@ -13,6 +14,7 @@ mod sieve;
 mod sizes;
 
 pub use batch::{Batch, coincident};
+pub use clumps::{ClumpStart, Orientation};
 pub use file::{FileGrain, read_grains};
 pub use lattice::{Lattice, LatticeKind};
 pub use occupancy::{Ball, Obstacle, Occupancy};

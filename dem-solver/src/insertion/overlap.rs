@@ -24,7 +24,8 @@ pub enum Partner {
     Wall(u32),
 }
 
-/// The overlaps that are deeper than this fraction of a diameter, of grains of which one can move, and with walls.
+/// The overlaps that are deeper than this fraction of a diameter, of grains of which one can move, and with walls; members
+/// of one clump may overlap.
 pub fn overlaps<const D: usize>(scene: &Scene<D>, world: &World<D>, fraction: f64) -> Vec<Overlap> {
     let mut found = Vec::new();
     between_grains(scene, world, fraction, &mut found);
@@ -47,7 +48,11 @@ fn between_grains<const D: usize>(
         grid.visit_around(a, a.radius + largest, |j| {
             let b = &grains.place[j];
             let overlap = periods.overlap(a, b) / (2.0 * a.radius.min(b.radius));
-            if j > i && overlap > fraction && !(fixed && grains.motion[j].is_frozen()) {
+            let of_one_clump = || {
+                let clump = |row: usize| world.bodies.of(grains.id[row]).map(|(clump, _)| clump);
+                clump(i).is_some_and(|one| clump(j) == Some(one))
+            };
+            if j > i && overlap > fraction && !of_one_clump() && !(fixed && grains.motion[j].is_frozen()) {
                 found.push(Overlap { grain: i, with: Partner::Grain(j), fraction: overlap });
             }
         });

@@ -6,7 +6,6 @@ use super::random::Random;
 use super::region::{Region, Space};
 use super::sizes::Distribution;
 use crate::error::DemError;
-use crate::grains::volume;
 use crate::scene::Scene;
 use crate::world::World;
 
@@ -41,7 +40,7 @@ struct Misses {
 }
 
 impl<const D: usize> RandomFill<D> {
-    /// Adds the grains to the world, none overlapping another or a wall.
+    /// Adds the grains, or clumps, to the world, none overlapping another or a wall.
     ///
     /// # Errors
     /// [`DemError::NoRoom`] with the number that fitted and what was in the way of the next.
@@ -58,14 +57,14 @@ impl<const D: usize> RandomFill<D> {
         let mut filled = 0.0;
         for (fitted, &radius) in radii.iter().enumerate() {
             match self.find(scene, &mut occupancy, radius, random) {
-                Ok(place) => world.add(scene, &batch.grain(place.centre, radius)),
+                Ok(place) => batch.add(scene, world, &place, random),
                 Err(misses) => {
                     let insertion = batch.name.clone();
-                    let why = misses.tell(radius, filled / self.region.volume());
+                    let why = misses.tell(radius, filled / self.space(scene));
                     return Err(DemError::NoRoom { insertion, fitted, wanted: radii.len(), why });
                 }
             }
-            filled += volume::<D>(radius, 1.0);
+            filled += batch.volume(scene, radius);
         }
         Ok(())
     }
@@ -92,18 +91,23 @@ impl<const D: usize> RandomFill<D> {
         Err(misses)
     }
 
+    /// Volume of the region \[m³\].
+    fn space(&self, scene: &Scene<D>) -> f64 {
+        let depth = if D == 2 { scene.depth } else { 1.0 };
+        self.region.volume() * depth
+    }
+
     /// The grains' radii, the largest first: small ones still fit between large ones.
     fn radii(&self, scene: &Scene<D>, batch: &Batch<D>, random: &mut Random) -> Vec<f64> {
         let mut radii = match self.amount {
             Amount::Count(count) => (0..count).map(|_| batch.sizes.draw(random)).collect(),
             Amount::SolidFraction(fraction) => {
-                let depth = if D == 2 { scene.depth } else { 1.0 };
-                let mut left = fraction * self.region.volume() * depth;
+                let mut left = fraction * self.space(scene);
                 let mut radii = Vec::new();
                 loop {
                     // The grain that overshoots is taken if that comes nearer to the fraction.
                     let radius = batch.sizes.draw(random);
-                    let volume = volume::<D>(radius, scene.depth);
+                    let volume = batch.volume(scene, radius);
                     if left < 0.5 * volume {
                         break;
                     }

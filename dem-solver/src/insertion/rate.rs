@@ -5,7 +5,6 @@ use super::occupancy::{Ball, Occupancy};
 use super::random::Random;
 use super::region::{Region, Space};
 use super::sizes::Distribution;
-use crate::grains::volume;
 use crate::scene::Scene;
 use crate::world::World;
 
@@ -56,13 +55,12 @@ impl<const D: usize> Feed<D> {
         if due <= self.fed {
             return;
         }
-        let density = scene.materials.get(self.batch.material).density;
         let (lower, upper) = self.region.bounds();
         let mut occupancy = Occupancy::new(scene, lower, upper, world, self.batch.sizes.largest());
         loop {
             let radius = self.waiting.take().unwrap_or_else(|| self.batch.sizes.draw(&mut self.random));
             let share = match self.flow {
-                Flow::Mass(_) => density * volume::<D>(radius, scene.depth),
+                Flow::Mass(_) => self.batch.mass(scene, radius),
                 Flow::Number(_) => 1.0,
             };
             self.waiting = Some(radius);
@@ -82,7 +80,7 @@ impl<const D: usize> Feed<D> {
             self.waiting = None;
             self.fed += share;
             self.count += 1;
-            world.add(scene, &self.batch.grain(place.centre, radius));
+            self.batch.add(scene, world, &place, &mut self.random);
         }
     }
 }

@@ -2,13 +2,15 @@
 
 use case_io::document::{self, Case, Insertion, Placement};
 
+use super::clumps::start;
 use super::region::region;
 use super::sizes::sizes;
 use super::surroundings::material_index;
 use super::{at_key, refused_at};
 use crate::error::DemError;
 use crate::insertion::{
-    Amount, Batch, Distribution, Feed, Flow, Lattice, LatticeKind, Random, RandomFill, read_grains,
+    Amount, Ball, Batch, Distribution, Feed, Flow, Lattice, LatticeKind, Random, RandomFill, Sizes,
+    read_grains,
 };
 use crate::scene::Scene;
 use crate::vector::{Spin, Vector, restrict};
@@ -25,13 +27,14 @@ pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<(World<D>
     for (index, insertion) in case.document.insertion.iter().enumerate() {
         firsts.push(world.grains.len());
         let mut random = Random::new(case.document.case.seed ^ (index as u64) << 32);
-        let batch = batch(case, index, insertion)?;
+        let batch = batch(case, scene, index, insertion)?;
         let place = Place { case, index, scene, insertion };
         match insertion.placement() {
             Some(Placement::At(points)) => {
                 for point in points {
                     let radius = batch.sizes.draw(&mut random);
-                    world.add(scene, &batch.grain(Vector::from(point.to_array()), radius));
+                    let place = Ball { centre: Vector::from(point.to_array()), radius };
+                    batch.add(scene, &mut world, &place, &mut random);
                 }
             }
             Some(Placement::Lattice(lattice)) => place.lattice(lattice, &batch, &mut random, &mut world)?,
@@ -56,12 +59,22 @@ pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<(World<D>
     Ok((world, firsts))
 }
 
-fn batch<const D: usize>(case: &Case, index: usize, insertion: &Insertion) -> Result<Batch<D>, DemError> {
+fn batch<const D: usize>(
+    case: &Case,
+    scene: &Scene<D>,
+    index: usize,
+    insertion: &Insertion,
+) -> Result<Batch<D>, DemError> {
+    let clump = start(case, index);
     let material = material_index(case, &insertion.material, &format!("insertion[{index}].material"))?;
     Ok(Batch {
         name: insertion.name.clone(),
         material,
-        sizes: sizes::<D>(case, index, insertion)?,
+        sizes: match clump {
+            Some(start) => Sizes::All(scene.clumps[start.kind as usize].shape.bounding_radius()),
+            None => sizes::<D>(case, index, insertion)?,
+        },
+        clump,
         velocity: insertion
             .velocity
             .as_ref()
@@ -131,7 +144,7 @@ impl<const D: usize> Place<'_, D> {
         }
         for centre in lattice.centres() {
             let radius = batch.sizes.draw(random);
-            world.add(self.scene, &batch.grain(centre, radius));
+            batch.add(self.scene, world, &Ball { centre, radius }, random);
         }
         Ok(())
     }

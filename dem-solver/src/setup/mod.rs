@@ -1,6 +1,7 @@
 //! From a checked case to a scene and a world.
 
 mod bonds;
+mod clumps;
 mod deletion;
 mod insert;
 mod motion;
@@ -50,6 +51,7 @@ pub fn set_up<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Resul
         return Err(case.error("grains", "missing", "", "add [grains] to a case that has grains").into());
     };
     let mut scene = surroundings::scene(case, grains, mesh)?;
+    clumps::check_periods(case, &scene)?;
     let (mut world, firsts) = insert::insert(case, &scene)?;
     if grains.domain.is_none() {
         let domain = surroundings::default_domain(&scene, &world, mesh);

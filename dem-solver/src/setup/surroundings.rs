@@ -5,6 +5,7 @@ use case_io::error::CaseError;
 
 use super::FluidMesh;
 use super::bonds::laws;
+use super::clumps::kinds;
 use super::deletion::deletions;
 use super::walls::walls;
 use crate::contact::cohesion::CohesionLaw;
@@ -63,6 +64,7 @@ pub fn scene<const D: usize>(
         ..Scene::new(materials(case, normal_law != NormalLaw::None)?, normal_law)
             .with_extras(extras(grains))
             .with_bond_laws(laws(case))
+            .with_clumps(kinds::<D>(case)?)
             .in_domain(stated_domain(case, grains)?)
     })
 }

@@ -270,9 +270,9 @@ fn a_stretched_bridge_stays_with_its_pair_when_rows_change_and_over_a_restart() 
             let bridges = |world: &World<3>| -> usize {
                 let listed = world.contacts.chunks.iter().map(|chunk| {
                     let springs = chunk.inner.all_springs().chain(chunk.planes.all_springs());
-                    let walls = chunk.wall_contacts.iter().map(|contact| contact.spring);
-                    let remembered = chunk.remembered.iter().map(|entry| entry.spring);
-                    let planes = chunk.plane_springs.iter().map(|entry| entry.spring);
+                    let walls = chunk.wall_contacts.iter().map(|contact| contact.spring.clone());
+                    let remembered = chunk.remembered.iter().map(|entry| entry.spring.clone());
+                    let planes = chunk.plane_springs.iter().map(|entry| entry.spring.clone());
                     let all = springs.chain(walls).chain(remembered).chain(planes);
                     all.filter(|history| history.spring.bridge > 0.0).count()
                 });

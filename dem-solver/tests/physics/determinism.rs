@@ -24,6 +24,7 @@ pub fn collapse(law: NormalLaw) -> (Scene<3>, World<3>) {
         sizes: Sizes::Uniform(Uniform { smallest: 0.5e-3, largest: 1e-3 }),
         velocity: Vector::from([0.2, 0.0, -1.0]),
         frozen: false,
+        clump: None,
     };
     let region = Region::Box(BoxRegion { lower: Vector::zeros(), upper: Vector::from([side, side, 0.03]) });
     let fill = RandomFill { region, amount: Amount::Count(3000) };

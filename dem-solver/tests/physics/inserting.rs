@@ -15,6 +15,7 @@ fn batch(radius: f64) -> Batch<3> {
         sizes: Sizes::All(radius),
         velocity: Vector::zeros(),
         frozen: false,
+        clump: None,
     }
 }
 

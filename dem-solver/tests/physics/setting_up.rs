@@ -256,3 +256,56 @@ scheme = "serial-explicit"
 drag = "stokes"
 [[insertion]]
 name = "two""#;
+
+/// Clumps by a random box, at a place and by a rate, and the first lines of the insertion they stand before.
+const CLUMPS: &str = r#"
+[[clump]]
+name = "pair"
+spheres = [{ centre = ["0 mm", "0 mm", "0 mm"], radius = "2 mm" }, { centre = ["3 mm", "0 mm", "0 mm"], radius = "1 mm" }]
+[[insertion]]
+name = "tossed"
+material = "glass"
+clump = "pair"
+random-orientation = true
+spin = { axis = [0, 2, 0], rate = "3 rad/s" }
+random-box = { lower = ["0.5 m", "0.5 m", "1 m"], upper = ["0.55 m", "0.55 m", "1.05 m"], count = 20 }
+[[insertion]]
+name = "upright"
+material = "glass"
+clump = "pair"
+orientation = { axis = [0, -1, 0], angle = "90 deg" }
+at = [["0.6 m", "0.6 m", "1 m"]]
+[[insertion]]
+name = "rain"
+material = "glass"
+clump = "pair"
+rate = { lower = ["0.5 m", "0.5 m", "1.5 m"], upper = ["0.6 m", "0.6 m", "1.6 m"], number-rate = "100 1/s" }
+[[insertion]]
+name = "two""#;
+
+#[test]
+fn clumps_are_set_up_with_the_mass_of_the_union_or_their_own() {
+    let text = CASE.replace("[[insertion]]\nname = \"two\"", CLUMPS);
+    let folder = Folder::new("clumps");
+    let Setup { scene, world, .. } = folder.set_up(&text, None).unwrap();
+    let clumps = world.bodies.as_slice();
+    assert_eq!((clumps.len(), scene.clumps.len(), clumps[20].kind), (21, 3, 1));
+    let apart = std::f64::consts::PI * 4.0 / 3.0 * (8e-9 + 1e-9);
+    let mass = scene.clumps[0].shape.mass();
+    assert!((mass / 2500.0 / apart - 1.0).abs() < 1e-12, "the spheres touch: {mass}");
+    let upright = &world.grains.place[40..42];
+    assert!((upright[1].centre - upright[0].centre - dem_solver::Spin::new(0.0, 0.0, 3e-3)).norm() < 1e-15);
+    let centre = (upright[0].centre * 8.0 + upright[1].centre) / 9.0;
+    assert!((centre - dem_solver::Spin::new(0.6, 0.6, 1.0)).norm() < 1e-12);
+    let spin = clumps[3].body.angular_velocity(&clumps[3].shape);
+    assert!((spin - dem_solver::Spin::new(0.0, 3.0, 0.0)).norm() < 1e-12);
+    let heavy =
+        folder.set_up(&text.replace("name = \"pair\"", "name = \"pair\"\nmass = \"1 g\""), None).unwrap();
+    assert!((heavy.scene.clumps[0].shape.mass() - 1e-3).abs() < 1e-15);
+    let narrow = text.replace("\"1 m\", \"1 m\", \"2 m\"", "\"6 mm\", \"1 m\", \"2 m\"");
+    let error = folder.set_up(&narrow, None).unwrap_err();
+    assert!(
+        error.contains("grains.periodic: the domain is 0.006 m long in x; allowed: more than"),
+        "{error}"
+    );
+}

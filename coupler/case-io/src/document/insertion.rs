@@ -5,13 +5,15 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::clump::{Spin, Turn};
 use super::quantity::{Angle, Length, MassRate, NumberRate, Time};
 use super::region::{CylinderRegion, Region, SphereRegion};
 use super::sizes::Distribution;
 use super::vector::{Point, VelocityVector};
 
 /// `[[insertion]]`; exactly one of `at`, `lattice`, `random-box`, `random-sphere`, `random-cylinder`, `file`, `rate` places
-/// the grains, exactly one of `diameter`, `diameter-range`, `diameter-distribution` sizes them.
+/// the grains, exactly one of `diameter`, `diameter-range`, `diameter-distribution` sizes them; or `clump` names what is
+/// inserted in place of grains.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Insertion {
@@ -25,6 +27,16 @@ pub struct Insertion {
     pub diameter_range: Option<[Length; 2]>,
     /// Another distribution of diameters.
     pub diameter_distribution: Option<Distribution>,
+    /// One of `[[clump]]`, in place of grains: places are those of its centre of mass, and random ones leave room for the
+    /// sphere around it.
+    pub clump: Option<String>,
+    /// How clumps are turned; default as `[[clump]]` states them.
+    pub orientation: Option<Turn>,
+    /// Whether each clump is turned at random, uniformly.
+    #[serde(default)]
+    pub random_orientation: bool,
+    /// Initial spin of clumps; default none.
+    pub spin: Option<Spin>,
     /// Initial velocity; default at rest.
     pub velocity: Option<VelocityVector>,
     /// Whether the grains are fixed in place.

@@ -258,7 +258,7 @@ set = { \"fluid.mesh.box.cells\" = [20, 20, 40], \"time.window\" = \"0.5 ms\" }
             ),
             (
                 "tme.end=3 s",
-                "--set tme: unknown key; allowed: case, time, output, materials, pairs, grains, insertion, bond, deletion, wall, fluid, coupling, probe, variants, run; did you mean \"time\"?",
+                "--set tme: unknown key; allowed: case, time, output, materials, pairs, grains, clump, insertion, bond, deletion, wall, fluid, coupling, probe, variants, run; did you mean \"time\"?",
             ),
             ("time.end=3", "--set time.end: value 3 has no unit; write \"3 s\" (a time)"),
             ("time.end.x=3", "--set time.end.x: time.end has no keys; set it as a whole"),

@@ -3,6 +3,7 @@
 mod bond;
 mod boundary;
 mod case;
+mod clump;
 mod coupling;
 mod deletion;
 #[cfg(test)]
@@ -36,6 +37,7 @@ use serde::{Deserialize, Serialize};
 pub use bond::{Bond, BondLaw};
 pub use boundary::{Boundary, BoundaryKind, BoundaryVelocity, Profile};
 pub use case::{CaseTable, Dimension};
+pub use clump::{Clump, ClumpSphere, Spin, Turn};
 pub use coupling::{Acceleration, Coupling, Drag, Scheme, Tolerance};
 pub use deletion::Deletion;
 pub use fluid::{Backend, Field, Fluid, Solve};
@@ -81,6 +83,9 @@ pub struct Document {
     pub pairs: BTreeMap<String, Pair>,
     /// The side of the grains.
     pub grains: Option<Grains>,
+    /// Rigid bodies of spheres that insertions may insert.
+    #[serde(default)]
+    pub clump: Vec<Clump>,
     /// Where grains come from.
     #[serde(default)]
     pub insertion: Vec<Insertion>,

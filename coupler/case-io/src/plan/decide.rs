@@ -21,6 +21,7 @@ pub(super) fn decide(part: Part, document: &Document) -> Decision {
         | Part::Lubrication
         | Part::Cohesion
         | Part::Bonds
+        | Part::Clumps
         | Part::PlaneWalls
         | Part::RoundWalls
         | Part::TriangleWalls
@@ -107,6 +108,7 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
         Part::Rotation | Part::Bonds if !document.bond.is_empty() => {
             on(format!("{} [[bond]]", document.bond.len()))
         }
+        Part::Rotation if !document.clump.is_empty() => on(format!("{} [[clump]]", document.clump.len())),
         Part::Friction | Part::TangentialHistory | Part::Rotation => {
             named("pair with sliding-friction", pairs(|pair| pair.sliding_friction > 0.0))
         }
@@ -118,6 +120,7 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
         },
         Part::Cohesion => chosen("cohesion-law", grains.cohesion_law),
         Part::Bonds => off("no [[bond]]"),
+        Part::Clumps => named("insertion of clumps", insertions(|i| i.clump.is_some())),
         Part::PlaneWalls => named("wall with plane", walls(|shape| matches!(shape, WallShape::Plane(_)))),
         Part::RoundWalls => named(
             "wall with cylinder or sphere",
@@ -241,6 +244,7 @@ mod tests {
             Lubrication,
             Cohesion,
             Bonds,
+            Clumps,
             RoundWalls,
             TriangleWalls,
             PeriodicWrap,

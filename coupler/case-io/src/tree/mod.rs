@@ -236,7 +236,7 @@ mod tests {
                 (
                     "[time]",
                     "[tme]",
-                    "case.toml:5: tme: unknown key; allowed: case, time, output, materials, pairs, grains, insertion, bond, deletion, wall, fluid, coupling, probe, variants, run; did you mean \"time\"?",
+                    "case.toml:5: tme: unknown key; allowed: case, time, output, materials, pairs, grains, clump, insertion, bond, deletion, wall, fluid, coupling, probe, variants, run; did you mean \"time\"?",
                 ),
                 ("title = \"settling\"", "", "case.toml:1: case.title: missing; add it to [case]"),
                 (

@@ -11,6 +11,11 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
     for (index, bond) in document.bond.iter().enumerate() {
         let table = format!("bond[{index}]");
         insertions(document, bond, &table, rules)?;
+        let named = |name: &str| bond.insertions.as_ref().is_none_or(|names| names.iter().any(|n| n == name));
+        if let Some(clumps) = document.insertion.iter().find(|i| i.clump.is_some() && named(&i.name)) {
+            let found = format!("\"{}\" inserts clumps, which are not bonded", clumps.name);
+            return rules.refuse(&format!("{table}.insertions"), found, "insertions of grains", "name those");
+        }
         let key = |name: &str| format!("{table}.{name}");
         rules.positive(&key("gap"), bond.gap)?;
         rules.positive(&key("youngs-modulus"), bond.youngs_modulus)?;

@@ -37,6 +37,7 @@ fn draws(document: &Document) -> bool {
     let drawn = document.insertion.iter().any(|insertion| {
         insertion.diameter_range.is_some()
             || insertion.diameter_distribution.is_some()
+            || insertion.random_orientation
             || matches!(insertion.placement(), Some(Placement::Random(_) | Placement::Rate(_)))
     });
     let mesh = document.fluid.as_ref().and_then(|fluid| fluid.mesh.as_ref()).and_then(|mesh| mesh.source());

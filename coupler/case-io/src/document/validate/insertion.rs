@@ -1,7 +1,7 @@
 //! `[[insertion]]`
 
 use super::rules::Rules;
-use super::{region, sizes};
+use super::{clump, region, sizes};
 use crate::document::quantity::{Length, Time};
 use crate::document::{Document, Insertion, NormalLaw, Placement, Rate};
 use crate::error::CaseError;
@@ -22,6 +22,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
         let table = format!("insertion[{index}]");
         rules.known(&format!("{table}.material"), "material", &insertion.material, &materials)?;
         rules.exactly_one(&table, &PLACEMENTS)?;
+        clump::inserted(document, insertion, &table, rules)?;
         sizes::check(insertion, &table, rules)?;
         rules.optional_vector(&format!("{table}.velocity"), insertion.velocity.as_ref())?;
         if insertion.frozen {
@@ -188,7 +189,7 @@ mod tests {
                 (
                     "diameter = \"2 mm\"",
                     "",
-                    "case.toml:17: insertion[0]: none of these keys is given; allowed: exactly one of diameter, diameter-range, diameter-distribution",
+                    "case.toml:17: insertion[0]: none of these keys is given; allowed: exactly one of diameter, diameter-range, diameter-distribution, clump",
                 ),
                 (
                     "diameter = \"2 mm\"",
@@ -198,7 +199,7 @@ mod tests {
                 (
                     "diameter = \"2 mm\"",
                     "diameter = \"2 mm\"\ndiameter-range = [\"1 mm\", \"2 mm\"]",
-                    "case.toml:17: insertion[0]: diameter and diameter-range exclude each other; allowed: exactly one of diameter, diameter-range, diameter-distribution",
+                    "case.toml:17: insertion[0]: diameter and diameter-range exclude each other; allowed: exactly one of diameter, diameter-range, diameter-distribution, clump",
                 ),
                 (
                     "diameter = \"2 mm\"",

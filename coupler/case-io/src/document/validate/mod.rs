@@ -1,6 +1,7 @@
 //! What must hold beyond the form: all that can be checked without the mesh and without the solvers.
 
 mod bond;
+mod clump;
 mod cohesion;
 mod coupling;
 mod deletion;
@@ -31,6 +32,7 @@ pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseE
     let rules = &Rules { source, dimension: document.case.dimension };
     general::check(document, rules)?;
     insertion::check(document, rules)?;
+    clump::check(document, rules)?;
     bond::check(document, rules)?;
     deletion::check(document, rules)?;
     wall::check(document, rules)?;

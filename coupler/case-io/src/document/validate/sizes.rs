@@ -11,7 +11,7 @@ const SUM_OF_SHARES: f64 = 1e-5;
 pub(super) fn check(insertion: &Insertion, table: &str, rules: &Rules) -> Result<(), CaseError> {
     let from_file = matches!(insertion.placement(), Some(Placement::File(_)));
     if !from_file || insertion.is_sized() {
-        rules.exactly_one(table, &["diameter", "diameter-range", "diameter-distribution"])?;
+        rules.exactly_one(table, &["diameter", "diameter-range", "diameter-distribution", "clump"])?;
     }
     rules.optional_positive(&format!("{table}.diameter"), insertion.diameter)?;
     if let Some([smallest, largest]) = insertion.diameter_range {
@@ -126,7 +126,7 @@ mod tests {
             ),
             (
                 format!("{DIAMETER}\n{}", lognormal("0.5")),
-                "case.toml:17: insertion[0]: diameter and diameter-distribution exclude each other; allowed: exactly one of diameter, diameter-range, diameter-distribution",
+                "case.toml:17: insertion[0]: diameter and diameter-distribution exclude each other; allowed: exactly one of diameter, diameter-range, diameter-distribution, clump",
             ),
         ];
         for (to, message) in &rows {
