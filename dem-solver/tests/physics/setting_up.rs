@@ -3,10 +3,11 @@ use std::fs;
 use std::path::PathBuf;
 
 use case_io::document::{Case, Overrides};
-use dem_solver::contact::Extras;
 use dem_solver::contact::cohesion::CohesionLaw;
 use dem_solver::contact::lubrication::Lubrication;
+use dem_solver::contact::normal::{Hertz, Onate};
 use dem_solver::contact::twisting::TwistingLaw;
+use dem_solver::contact::{Extras, NormalLaw};
 use dem_solver::wall::Facet;
 use dem_solver::{FluidMesh, Setup, Substep, set_up};
 
@@ -90,6 +91,24 @@ fn a_case_becomes_a_scene_and_a_world() {
     assert_eq!((world.grains.place[66].radius, world.grains.motion[66].velocity.x), (2e-3, 0.5));
     assert!((world.grains.mass[0] - 2500.0 * 4.0 / 3.0 * std::f64::consts::PI * 1e-9).abs() < 1e-20);
     assert_eq!((scene.domain.periodic, scene.gravity.z, scene.walls.len()), ([true, false, false], -9.81, 1));
+}
+
+#[test]
+fn the_laws_and_micro_grains_are_those_of_the_case() {
+    let folder = Folder::new("laws");
+    let with = |changes: &[(&str, &str)]| {
+        let text = changes.iter().fold(CASE.to_string(), |text, (from, to)| text.replace(from, to));
+        folder.set_up(&text, None).unwrap()
+    };
+    let law = "normal-law = \"hertz\"";
+    let slips = with(&[(law, "normal-law = \"hertz\"\ntangential-law = \"partial-slip\"")]);
+    assert_eq!(slips.scene.normal_law, NormalLaw::HertzPartialSlip(Hertz { depth: 1.0 }));
+    let linear = with(&[(law, "normal-law = \"onate\"\narea-factor = 0.9"), ("10 MPa", "0.1 MPa")]);
+    assert_eq!(linear.scene.normal_law, NormalLaw::Onate(Onate { area_factor: 0.9, depth: 1.0 }));
+    let smooth = ("sliding-friction = 0.3", "sliding-friction = 0");
+    let micro = with(&[("poissons-ratio = 0.3", "poissons-ratio = 0.3\nmicro = true"), smooth]);
+    assert!(micro.scene.materials.is_micro(0));
+    assert!(micro.world.grains.motion.iter().all(|motion| motion.inverse_inertia == 0.0));
 }
 
 #[test]

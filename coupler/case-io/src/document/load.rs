@@ -264,7 +264,7 @@ set = { \"fluid.mesh.box.cells\" = [20, 20, 40], \"time.window\" = \"0.5 ms\" }
             ("time.end.x=3", "--set time.end.x: time.end has no keys; set it as a whole"),
             (
                 "grains.normal-law=herz",
-                "--set grains.normal-law: unknown law \"herz\"; allowed: hooke, hertz, liggghts-hooke, liggghts-hertz, none; did you mean \"hertz\"?",
+                "--set grains.normal-law: unknown law \"herz\"; allowed: hooke, hertz, onate, liggghts-hooke, liggghts-hertz, none; did you mean \"hertz\"?",
             ),
             (
                 "insertion[3].diameter=1 mm",

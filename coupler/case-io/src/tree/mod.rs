@@ -231,7 +231,7 @@ mod tests {
                 (
                     "normal-law",
                     "normal-lw",
-                    "case.toml:16: grains.normal-lw: unknown key; allowed: normal-law, characteristic-velocity, rolling-law, twisting-law, lubrication, cohesion-law, domain, escape, periodic, start-overlap; did you mean \"normal-law\"?",
+                    "case.toml:16: grains.normal-lw: unknown key; allowed: normal-law, characteristic-velocity, tangential-law, area-factor, rolling-law, twisting-law, lubrication, cohesion-law, domain, escape, periodic, start-overlap; did you mean \"normal-law\"?",
                 ),
                 (
                     "[time]",
@@ -268,7 +268,7 @@ mod tests {
                 (
                     "normal-law = \"hertz\"",
                     "normal-law = true",
-                    "case.toml:16: grains.normal-law: found true; allowed: \"hooke\", \"hertz\", \"liggghts-hooke\", \"liggghts-hertz\", \"none\"",
+                    "case.toml:16: grains.normal-law: found true; allowed: \"hooke\", \"hertz\", \"onate\", \"liggghts-hooke\", \"liggghts-hertz\", \"none\"",
                 ),
                 (
                     "plane = {",

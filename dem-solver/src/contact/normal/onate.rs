@@ -86,7 +86,7 @@ mod tests {
         let found =
             Normal::<3>::coefficients(&Onate { area_factor: 0.9, depth: 1.0 }, &pair, i * j / (i + j), mass);
         // 0.9 · 3 MPa · π · 3 mm² / 4 mm, and 1/(2 · 1.25) of it.
-        let (normal, shear) = (6361.725_123_519_331, 2544.690_049_407_732_5);
+        let (normal, shear) = (6_361.725_123_519_331, 2_544.690_049_407_732_5);
         assert!((found.normal_stiffness / normal - 1.0).abs() < 1e-14, "{}", found.normal_stiffness);
         assert!((found.tangential_stiffness / shear - 1.0).abs() < 1e-14);
         let xi = pair.damping_ratio;

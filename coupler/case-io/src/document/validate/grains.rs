@@ -196,7 +196,7 @@ mod tests {
                 (
                     settling,
                     &law("hertz", "partial"),
-                    "case.toml:17: grains.tangential-law: unknown law \"partial\"; allowed: coulomb, partial-slip",
+                    "case.toml:17: grains.tangential-law: unknown law \"partial\"; allowed: coulomb, partial-slip; did you mean \"partial-slip\"?",
                 ),
             ],
         );
