@@ -87,8 +87,7 @@ fn wet_restitution_falls_with_the_stokes_number_to_nothing_at_the_critical_one()
         let scene = wet(dry, roughness, cut_off).with_walls(floor());
         let speed = share * critical * slowing;
         let mut ball = world(&scene, &[above(1.01 * cut_off).moving([0.0, 0.0, -speed])]);
-        let time = 40.0 * cut_off / speed * if share < 1.5 { 10.0 } else { 1.0 };
-        run(&scene, &mut ball, time, (time / 5e-7) as u32).unwrap();
+        run(&scene, &mut ball, 40.0 * cut_off / speed, 160_000).unwrap();
         let (place, motion) = (&ball.grains.place[0], &ball.grains.motion[0]);
         let found = motion.velocity.z / speed;
         let expected = dry * (1.0 - 1.0 / share);
