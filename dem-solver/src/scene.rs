@@ -5,6 +5,7 @@ use crate::contact::{Coefficients, ExtraConstants, Extras, NormalLaw, normal::No
 use crate::deletion::Deletion;
 use crate::domain::Domain;
 use crate::material::Materials;
+use crate::sleep::SleepBound;
 use crate::vector::Vector;
 use crate::wall::Walls;
 
@@ -41,6 +42,8 @@ pub struct Scene<const D: usize> {
     pub bond_laws: Vec<BondLaw>,
     /// The walls.
     pub walls: Walls<D>,
+    /// When idle grains sleep; nothing where none does.
+    pub sleep: Option<SleepBound>,
     /// Where grains are taken out.
     pub deletions: Vec<Deletion<D>>,
 }
@@ -60,6 +63,7 @@ impl<const D: usize> Scene<D> {
             extras: Extras::default(),
             bond_laws: vec![],
             walls: Walls::new(vec![]),
+            sleep: None,
             deletions: vec![],
         }
     }
@@ -87,6 +91,11 @@ impl<const D: usize> Scene<D> {
     /// The scene with these laws of bonds.
     pub fn with_bond_laws(self, bond_laws: Vec<BondLaw>) -> Self {
         Self { bond_laws, ..self }
+    }
+
+    /// The scene in which idle grains sleep within this bound.
+    pub fn with_sleep(self, bound: SleepBound) -> Self {
+        Self { sleep: Some(bound), ..self }
     }
 
     /// Constants of the contact of two materials at this effective radius \[m\] and effective mass \[kg\]; nothing

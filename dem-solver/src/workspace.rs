@@ -7,6 +7,7 @@ use crate::fault::Fault;
 use crate::lanes::Backend;
 use crate::relaxation::Relaxation;
 use crate::scene::Scene;
+use crate::sleep::{Held, Slumber, Work};
 use crate::vector::Vector;
 use crate::wall::{Poses, WallImpulse};
 use crate::world::World;
@@ -34,6 +35,14 @@ pub struct ChunkScratch<const D: usize> {
     pub wall_impulse: Vec<WallImpulse<D>>,
     /// Impulse given to frozen grains by contacts in this window \[N s\].
     pub frozen_impulse: Vector<D>,
+    /// Impulse that stopped grains and holds them asleep in this window \[N s\].
+    pub asleep_impulse: Vector<D>,
+    /// What each wall received in the last step that the chunk found its forces in; nothing where no grain may sleep.
+    pub last_wall_impulse: Vec<WallImpulse<D>>,
+    /// What held the chunk at rest when it was last asked.
+    pub held: Held,
+    /// What was slept since it was last booked.
+    pub slumber: Slumber,
     /// Wall contacts of the last step.
     pub old_wall_contacts: Vec<WallContact>,
     /// Surfaces that one grain presses into.
@@ -47,6 +56,10 @@ impl<const D: usize> ChunkScratch<D> {
         Self {
             wall_impulse: vec![],
             frozen_impulse: Vector::zeros(),
+            asleep_impulse: Vector::zeros(),
+            last_wall_impulse: vec![],
+            held: Held::default(),
+            slumber: Slumber::default(),
             old_wall_contacts: vec![],
             pressed: vec![],
             fault: None,
@@ -57,7 +70,23 @@ impl<const D: usize> ChunkScratch<D> {
         self.wall_impulse.clear();
         self.wall_impulse.resize(walls, WallImpulse::zero());
         self.frozen_impulse = Vector::zeros();
+        self.asleep_impulse = Vector::zeros();
         self.fault = None;
+    }
+}
+
+impl<const D: usize> ChunkScratch<D> {
+    /// Keeps what walls received in this step; `last_wall_impulse` is what they had received before.
+    pub fn keep_wall_impulse(&mut self) {
+        self.last_wall_impulse
+            .iter_mut()
+            .zip(&self.wall_impulse)
+            .for_each(|(last, &now)| *last = now - *last);
+    }
+
+    /// Walls receive what they received in the last step.
+    pub fn repeat_wall_impulse(&mut self) {
+        self.wall_impulse.iter_mut().zip(&self.last_wall_impulse).for_each(|(sum, &last)| *sum += last);
     }
 }
 
@@ -78,6 +107,12 @@ pub struct Workspace<const D: usize> {
     pub chunks: Vec<ChunkScratch<D>>,
     /// By chunk: loads on its rows and on those of later chunks that its pairs reach.
     pub loads: Vec<ChunkLoads>,
+    /// By chunk: what the step does with its forces.
+    pub work: Vec<Work>,
+    /// In the coming step the forces of all chunks are found, of sleeping ones too.
+    pub survey: bool,
+    /// By chunk: whether its grains may have moved since the last inner list.
+    pub stale: Vec<bool>,
     /// The bonds tied to the rows of this window.
     pub links: Links,
     /// How each grain relaxes to the fluid in a substep of this window; empty without fluid.
@@ -104,6 +139,9 @@ impl<const D: usize> Workspace<D> {
             periods: Periods::default(),
             chunks: vec![],
             loads: vec![],
+            work: vec![],
+            survey: true,
+            stale: vec![],
             links: Links::default(),
             relaxation: vec![],
             late: 0.0,
@@ -131,6 +169,10 @@ impl<const D: usize> Workspace<D> {
         };
         self.chunks.resize_with(contacts.chunks.len(), opened);
         self.loads.resize_with(contacts.chunks.len(), ChunkLoads::default);
+        self.work.resize(contacts.chunks.len(), Work::All);
+        self.survey = true;
+        self.stale.clear();
+        self.stale.resize(contacts.chunks.len(), true);
         for (loads, chunk) in self.loads.iter_mut().zip(&contacts.chunks) {
             loads.clear(chunk.grain_of_slot.len(), self.planes.rows.len());
         }

@@ -14,6 +14,7 @@ mod probe;
 mod region;
 mod rules;
 mod sizes;
+mod sleep;
 mod surface;
 mod wall;
 
@@ -35,6 +36,7 @@ pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseE
     material::check(document, rules)?;
     fluid::check(document, rules)?;
     grains::check(document, rules)?;
+    sleep::check(document, rules)?;
     surface::check(document, rules)?;
     coupling::check(document, rules)?;
     probe::check(document, rules)
