@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use case_io::document::{Case, Overrides};
 use dem_solver::wall::Facet;
-use dem_solver::{FluidMesh, Setup, Substep, set_up};
+use dem_solver::{FluidMesh, Setup, SleepBound, Substep, set_up};
 
 const CASE: &str = r#"
 [case]
@@ -226,3 +226,19 @@ scheme = "serial-explicit"
 drag = "stokes"
 [[insertion]]
 name = "two""#;
+
+#[test]
+fn grains_sleep_where_the_case_says_so_by_its_gravity_and_smallest_grain_or_as_stated() {
+    let folder = Folder::new("sleep");
+    let bound = |said: &str| {
+        let text = CASE.replace("escape = \"remove\"", &format!("escape = \"remove\"\n{said}"));
+        folder.set_up(&text, None).unwrap().scene.sleep
+    };
+    assert_eq!(bound(""), None);
+    // The smallest are fed, of 1 mm.
+    let speed = 1e-4 * (9.81_f64 * 1e-3).sqrt();
+    let default = bound("sleep = {}").unwrap();
+    assert!((default.speed / speed - 1.0).abs() < 1e-15 && default.acceleration == 9.81e-3);
+    let stated = bound("sleep = { speed = \"20 um/s\", acceleration = \"0.05 m/s^2\" }");
+    assert_eq!(stated, Some(SleepBound { speed: 2e-5, acceleration: 0.05 }));
+}
