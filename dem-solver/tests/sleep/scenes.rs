@@ -12,8 +12,12 @@ use dem_solver::{
 
 pub const RADIUS: f64 = 1e-3;
 pub const G: f64 = 9.81;
-/// Where the small heap begins, in radii.
-const SMALL: f64 = 60.0;
+/// Heaps along x and y, and how far apart they are, in radii.
+const HEAPS_ALONG: u32 = 12;
+const HEAPS_ACROSS: u32 = 10;
+const SPACING: f64 = 10.0;
+/// Height of a grain in the hollow of four, in radii.
+const HOLLOW: f64 = std::f64::consts::SQRT_2;
 /// Grains of the first chunk.
 pub const FIRST: usize = 1024;
 /// A time in which much can happen.
@@ -56,20 +60,7 @@ pub fn asleep(world: &World<3>) -> usize {
     chunks.filter(|(_, quiet)| quiet.is_asleep()).map(|(chunk, _)| chunk.rows.len()).sum()
 }
 
-/// Layers of `base`², (`base` - 1)², … grains in each other's hollows, the lowest frozen, from `along` radii on.
-fn heap(scene: &Scene<3>, world: &mut World<3>, base: u32, layers: u32, along: f64) {
-    for layer in 0..layers {
-        let side = base - layer;
-        for k in 0..side * side {
-            let [i, j] = [k % side, k / side].map(|index| f64::from(2 * index + layer));
-            let grain =
-                Grain::at([along + i, j, f64::from(layer) * 2.0_f64.sqrt()].map(|x| x * RADIUS), RADIUS);
-            world.add(scene, &if layer == 0 { grain.frozen() } else { grain });
-        }
-    }
-}
-
-/// A large heap and a small one, asleep: a chunk of the large one, and one of the rest of it and the small one.
+/// Heaps of four grains on nine frozen ones, in rows along x, asleep: two chunks.
 ///
 /// Every grain is held by four others. In a bed poured at random without resistance to rolling and twisting a few in loose
 /// cages roll or spin for ever, and keep their chunks awake.
@@ -78,8 +69,15 @@ pub fn sleeping_heaps() -> World<3> {
     HEAPS
         .get_or_init(|| {
             let (scene, mut world) = (scene([]).with_sleep(BOUND), World::new());
-            heap(&scene, &mut world, 15, 10, 0.0);
-            heap(&scene, &mut world, 4, 3, SMALL);
+            for heap in 0..HEAPS_ALONG * HEAPS_ACROSS {
+                let foot = [heap / HEAPS_ACROSS, heap % HEAPS_ACROSS].map(|index| SPACING * f64::from(index));
+                let at = |x: u32, y: u32, lift: f64| {
+                    let place = [foot[0] + f64::from(x), foot[1] + f64::from(y), lift];
+                    Grain::at(place.map(|x| x * RADIUS), RADIUS)
+                };
+                (0..9).for_each(|k| world.add(&scene, &at(2 * (k % 3), 2 * (k / 3), 0.0).frozen()));
+                (0..4).for_each(|k| world.add(&scene, &at(1 + 2 * (k % 2), 1 + 2 * (k / 2), HOLLOW)));
+            }
             while asleep(&world) < world.grains.len() {
                 assert!(world.time < 1.0, "{} of {} sleep", asleep(&world), world.grains.len());
                 let until = world.time + 0.02;
@@ -100,9 +98,10 @@ pub fn row(world: &World<3>, id: u64) -> usize {
     world.grains.id.iter().position(|&of_row| of_row == id).unwrap()
 }
 
-/// A grain that falls into the hollow on top of the small heap, about to touch it; its identity.
+/// A grain that falls into the hollow on top of the last heap, about to touch it; its identity.
 pub fn drop_one(scene: &Scene<3>, world: &mut World<3>, speed: f64) -> u64 {
-    let at = [SMALL + 3.1, 3.05, 3.0 * 2.0_f64.sqrt() + 0.4].map(|x| x * RADIUS);
+    let foot = [HEAPS_ALONG - 1, HEAPS_ACROSS - 1].map(|index| SPACING * f64::from(index));
+    let at = [foot[0] + 2.1, foot[1] + 2.05, 2.0 * HOLLOW + 0.4].map(|x| x * RADIUS);
     world.add(scene, &Grain::at(at, RADIUS).moving([0.0, 0.0, -speed]));
     world.born - 1
 }

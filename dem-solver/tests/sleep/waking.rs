@@ -24,7 +24,7 @@ fn a_grain_dropped_on_a_sleeping_heaps_wakes_it_and_comes_to_rest_where_it_would
     let after = slept.contacts.slumber;
     assert!(after.wakings > before.wakings, "{after:?}");
     let slept_on = slept.contacts.slumber.grain_steps - before.grain_steps;
-    assert!(slept_on > 0 && asleep(&slept) >= FIRST, "the large heap sleeps on");
+    assert!(slept_on > 0 && asleep(&slept) >= FIRST, "the far heaps sleep on");
     assert_eq!(waked.contacts.slumber.fallings, before.fallings, "the other never slept");
     let place = |world: &World<3>| world.grains.place[row(world, dropped)].centre;
     let apart = (place(&slept) - place(&waked)).norm();
