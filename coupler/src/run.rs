@@ -131,6 +131,7 @@ impl Story {
         let own = own_usage();
         let mut seconds = BTreeMap::new();
         let mut thrift = BTreeMap::new();
+        let mut taken = BTreeMap::new();
         let mut peak_memory = own.peak_memory;
         for (who, usage) in self.usages {
             let computing: f64 = usage.parts.iter().map(|(_, wall)| wall).sum();
@@ -140,6 +141,7 @@ impl Story {
                 seconds.insert(format!("{who}: {part}"), Seconds { wall, cpu });
             }
             thrift.extend(usage.counters);
+            taken.extend(usage.taken);
             peak_memory += usage.peak_memory;
         }
         seconds.insert(
@@ -159,6 +161,7 @@ impl Story {
             counts: self.counts,
             peak_memory,
             thrift,
+            taken,
             ledger: self.ledger,
             checks: Vec::new(),
         }

@@ -8,6 +8,7 @@ use crate::fault::Fault;
 use crate::grains::{Grains, Motion, Place};
 use crate::lanes::Row8;
 use crate::scene::Scene;
+use crate::sleep::Work;
 use crate::vector::{Spin, lane, unlane};
 use crate::workspace::Workspace;
 use crate::world::World;
@@ -61,11 +62,12 @@ pub fn pull_bonds<const D: usize>(
     if bonds.is_empty() {
         return Ok(());
     }
-    let Workspace { links, loads, periods, .. } = workspace;
+    let Workspace { links, loads, work, periods, .. } = workspace;
     let rows = Rows { place: &grains.place, motion: &grains.motion, periods };
     let broke = links.pull(&scene.bond_laws, bonds, &rows)?;
     let links = &*links;
-    contacts.chunks.par_iter().zip(loads).for_each(|(chunk, loads)| {
+    let asked = contacts.chunks.par_iter().zip(loads).zip(work).filter(|(_, work)| **work == Work::All);
+    asked.for_each(|((chunk, loads), _)| {
         for (row, Row8(load)) in chunk.rows.clone().zip(&mut loads.slots) {
             let (force, torque) = links.load(row);
             for axis in 0..3 {

@@ -14,6 +14,7 @@ use crate::error::DemError;
 use crate::grains::{AsRows, CARRIED_INERTIA, Grains, Motion, Place, inertia};
 use crate::insertion::{Feed, Random};
 use crate::scene::Scene;
+use crate::sleep::Slumber;
 use crate::vector::{Spin, Vector};
 use crate::wall::{Received, Slide, WallImpulse};
 use crate::world::World;
@@ -41,6 +42,7 @@ struct Metadata {
     walls_time: f64,
     built_since_order: u32,
     counters: [u64; 3],
+    slumber: ([u64; 4], f64),
     since_pull: f64,
     broken: [u64; 3],
     feeds: Vec<FeedState>,
@@ -63,7 +65,8 @@ impl<const D: usize> World<D> {
     /// The file cannot be written.
     pub fn write_checkpoint(&self, path: &Path) -> Result<(), DemError> {
         let Self { grains, contacts, .. } = self;
-        let ContactList { skins, spent, approach, counters, .. } = contacts;
+        let ContactList { skins, spent, approach, counters, slumber, .. } = contacts;
+        let Slumber { fallings, wakings, grain_steps, grain_steps_without_forces, energy } = *slumber;
         let [fx, fy, fz] = approach.frame;
         let arrays = ContactArrays::of(contacts);
         let bonds = BondArrays::of(&self.bonds);
@@ -84,6 +87,7 @@ impl<const D: usize> World<D> {
             walls_time: contacts.walls_time,
             built_since_order: contacts.built_since_order,
             counters: [counters.outer, counters.inner, counters.walls],
+            slumber: ([fallings, wakings, grain_steps, grain_steps_without_forces], energy),
             since_pull: bonds.elapsed,
             broken: bonds.broken,
             feeds: self.feeds.iter().map(FeedState::of).collect(),
@@ -118,6 +122,7 @@ impl<const D: usize> World<D> {
             .array("near walls", &arrays.near_walls)
             .array("on walls", &arrays.on_walls)
             .array("wall springs", &arrays.wall_springs)
+            .array("quiet time of chunks", &arrays.quiet)
             .array("bonded grains", &bonds.grains)
             .array("bond laws", &bonds.laws)
             .array("bond numbers", &bonds.numbers)
@@ -245,6 +250,7 @@ fn read_contacts(file: &Checkpoint, metadata: &Metadata) -> Result<ContactArrays
         near_walls: file.array("near walls")?,
         on_walls: file.array("on walls")?,
         wall_springs: file.array("wall springs")?,
+        quiet: file.array("quiet time of chunks")?,
     })
 }
 
@@ -280,6 +286,7 @@ fn list(metadata: &Metadata) -> ContactList {
     let skins = |[outer, inner, walls]: [f64; 3]| Skins { outer, inner, walls };
     let [between_grains, to_walls, fx, fy, fz] = metadata.approach;
     let [outer, inner, walls] = metadata.counters;
+    let ([fallings, wakings, grain_steps, grain_steps_without_forces], energy) = metadata.slumber;
     ContactList {
         skins: skins(metadata.skins),
         spent: skins(metadata.spent),
@@ -287,6 +294,7 @@ fn list(metadata: &Metadata) -> ContactList {
         walls_time: metadata.walls_time,
         built_since_order: metadata.built_since_order,
         counters: Counters { outer, inner, walls },
+        slumber: Slumber { fallings, wakings, grain_steps, grain_steps_without_forces, energy },
         ..ContactList::new()
     }
 }

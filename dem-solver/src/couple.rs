@@ -5,6 +5,7 @@ use crate::error::DemError;
 use crate::record::Record;
 use crate::scene::Scene;
 use crate::setup::Setup;
+use crate::thrift::thrift;
 use crate::turnover::turn_over;
 use crate::vector::embed;
 use crate::window::{relist, window as advance_window};
@@ -208,6 +209,7 @@ impl<const D: usize> Participant for DemParticipant<D> {
     }
 
     fn stop(&mut self, _reason: &str) -> Usage {
-        Usage { parts: vec![("substeps".to_string(), self.seconds)], ..own_usage() }
+        let (counters, taken) = thrift(&self.scene, &self.world.contacts);
+        Usage { parts: vec![("substeps".to_string(), self.seconds)], counters, taken, ..own_usage() }
     }
 }

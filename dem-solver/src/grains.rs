@@ -62,6 +62,11 @@ impl Motion {
         }
     }
 
+    /// Kinetic energy m v²/2 + I ω²/2 of a grain that moves by itself \[J\].
+    pub fn kinetic_energy(&self) -> f64 {
+        0.5 * self.velocity.norm_squared() / self.inverse_mass + self.rotational_energy()
+    }
+
     /// Energy of rotation I ω²/2 \[J\]; none of a grain that does not turn by itself.
     pub fn rotational_energy(&self) -> f64 {
         if self.inverse_inertia == 0.0 {

@@ -10,6 +10,7 @@ use crate::grains::{AsRows, Motion, Place};
 use crate::lanes::{Backend, Row8};
 use crate::relaxation::Relaxation;
 use crate::scene::{Escape, Scene};
+use crate::sleep::{Bed, Quiet, Slumber, Work};
 use crate::vector::{Spin, embed, restrict};
 use crate::workspace::{ChunkScratch, Impulse, Workspace};
 use crate::world::World;
@@ -45,6 +46,8 @@ struct Task<'a, const D: usize> {
     arriving: Vec<Arriving<'a>>,
     scratch: &'a mut ChunkScratch<D>,
     impulses: &'a mut [Impulse<D>],
+    work: Work,
+    quiet: &'a mut Quiet,
 }
 
 /// What the integration reads.
@@ -77,8 +80,20 @@ pub fn advance<const D: usize>(
 ) {
     let World { grains, contacts, bonds, bodies, .. } = world;
     bonds.fly(flight);
-    let Workspace { backend, chunks: scratches, loads, relaxation, impulse, late, members, periods, .. } =
-        workspace;
+    let Workspace {
+        backend,
+        chunks: scratches,
+        loads,
+        relaxation,
+        impulse,
+        late,
+        members,
+        periods,
+        work,
+        survey,
+        stale,
+        ..
+    } = workspace;
     let inputs = Inputs {
         scene,
         backend: *backend,
@@ -92,8 +107,11 @@ pub fn advance<const D: usize>(
     let (mut places, mut motions) = (grains.place.as_mut_slice(), grains.motion.as_mut_slice());
     let (mut impulses, mut gathered) = (impulse.as_mut_slice(), members.loads.as_mut_slice());
     let mut tasks = Vec::with_capacity(contacts.chunks.len());
-    let parts = by_target(&contacts.chunks, loads).into_iter().zip(scratches);
-    for (chunk, ((loads, arriving), scratch)) in contacts.chunks.iter().zip(parts) {
+    let parts = by_target(&contacts.chunks, loads).into_iter().zip(scratches.iter_mut());
+    let sleep = contacts.quiet.iter_mut().zip(work.iter());
+    for ((chunk, ((loads, arriving), scratch)), (quiet, &work)) in
+        contacts.chunks.iter().zip(parts).zip(sleep)
+    {
         let count = chunk.rows.len();
         let (of_places, later_places) = places.split_at_mut(count);
         let (of_motions, later_motions) = motions.split_at_mut(count);
@@ -110,9 +128,15 @@ pub fn advance<const D: usize>(
             arriving,
             scratch,
             impulses: of_impulses,
+            work,
+            quiet,
         });
     }
     let fastest: Vec<Fastest> = tasks.into_par_iter().map(|task| inputs.advance_chunk(task)).collect();
+    if scene.sleep.is_some() {
+        *survey = book(scratches, &mut contacts.slumber);
+        stale.iter_mut().zip(&contacts.quiet).for_each(|(stale, quiet)| *stale |= !quiet.is_asleep());
+    }
     let before = contacts.approach;
     let gravity = embed(&scene.gravity);
     let clumps =
@@ -128,9 +152,32 @@ pub fn advance<const D: usize>(
 
 impl<const D: usize> Inputs<'_, D> {
     fn advance_chunk(&self, task: Task<D>) -> Fastest {
-        let Task { first, places, motions, loads, gathered, arriving, scratch, impulses } = task;
+        let Task { first, places, motions, loads, gathered, arriving, scratch, impulses, work, quiet } = task;
         for from in arriving {
-            self.backend.run(Join { first, from, to: &mut *loads });
+            match work {
+                Work::All => self.backend.run(Join { first, from, to: &mut *loads }),
+                Work::ForOthers | Work::Nothing => from.clear(),
+            }
+        }
+        if let Some(bound) = &self.scene.sleep {
+            let rows = first..first + motions.len();
+            let mut bed = Bed {
+                gravity: embed(&self.scene.gravity),
+                mass: &self.mass[rows.clone()],
+                places,
+                motions,
+                loads,
+                hydro: self
+                    .hydro
+                    .map(|(fluid, relaxation)| (&fluid[rows.clone()], &relaxation[rows.clone()])),
+                impulses,
+                scratch,
+            };
+            if bed.rests(bound, work, quiet, self.step) {
+                // All are at rest: two speak for them.
+                let motions = &motions.as_rows()[..motions.len().min(2)];
+                return self.backend.run(Speeds { motions, frame: self.frame });
+            }
         }
         gathered.copy_from_slice(&loads[..gathered.len()]);
         let moved = match self.hydro {
@@ -148,6 +195,9 @@ impl<const D: usize> Inputs<'_, D> {
                 |motion: &Motion| (motion.velocity.sum() + motion.angular_velocity.sum()).is_finite();
             let row = motions.iter().position(|motion| !finite(motion)).unwrap_or(0);
             scratch.fault.get_or_insert(Fault::NotFinite { grain: self.id[first + row] });
+        }
+        if let Some(bound) = &self.scene.sleep {
+            *quiet = quiet.after(moved.fastest.speed() < bound.speed, self.step);
         }
         moved.fastest
     }
@@ -214,6 +264,13 @@ impl<const D: usize> Inputs<'_, D> {
     }
 }
 
+/// Books what was slept in a step, chunk by chunk; tells whether any fell asleep.
+fn book<const D: usize>(scratches: &mut [ChunkScratch<D>], slumber: &mut Slumber) -> bool {
+    let before = slumber.fallings;
+    scratches.iter_mut().for_each(|scratch| *slumber += std::mem::take(&mut scratch.slumber));
+    slumber.fallings > before
+}
+
 /// The first grain or clump that is nowhere, or has left a domain that it must not leave: looked for once a window.
 pub fn misplaced<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Option<Fault> {
     let fault = |centre: &Spin, grain: u64| {
@@ -233,6 +290,6 @@ pub fn misplaced<const D: usize>(scene: &Scene<D>, world: &World<D>) -> Option<F
 }
 
 /// Three components as they come from the coupler; those that the scene does not have are 0.
-fn flat<const D: usize>(vector: [f64; 3]) -> Spin {
+pub fn flat<const D: usize>(vector: [f64; 3]) -> Spin {
     embed(&restrict::<D>(&Spin::from(vector)))
 }

@@ -13,7 +13,7 @@ use crate::world::World;
 
 /// What moving grains had, got and have; impulses in N s, momenta in kg m/s, energies in J.
 ///
-/// `momentum` - `momentum_before` + `added_mass` = `gravity` + `walls` + `frozen` + `drag` + `explicit`.
+/// `momentum` - `momentum_before` + `added_mass` = `gravity` + `walls` + `frozen` + `asleep` + `drag` + `explicit`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ledger<const D: usize> {
     /// Number of grains, frozen ones and members of clumps included.
@@ -32,6 +32,8 @@ pub struct Ledger<const D: usize> {
     pub walls: Vector<D>,
     /// Impulse of frozen grains, through contacts and bonds.
     pub frozen: Vector<D>,
+    /// Impulse that stopped idle grains and holds them asleep.
+    pub asleep: Vector<D>,
     /// Drag impulse.
     pub drag: Vector<D>,
     /// Impulse of the fluid's explicit forces.
@@ -60,6 +62,7 @@ impl<const D: usize> Ledger<D> {
             gravity: Vector::zeros(),
             walls: Vector::zeros(),
             frozen: Vector::zeros(),
+            asleep: Vector::zeros(),
             drag: Vector::zeros(),
             explicit: Vector::zeros(),
             supports: Vector::zeros(),
@@ -116,7 +119,8 @@ impl<const D: usize> Ledger<D> {
         self.wall_impulse = workspace.wall_impulse(scene.walls.len());
         self.frozen = -workspace.chunks.iter().map(|chunk| chunk.frozen_impulse).sum::<Vector<D>>();
         self.walls = -self.wall_impulse.iter().map(|wall| wall.linear).sum::<Vector<D>>();
-        self.scale += self.walls.norm() + self.frozen.norm();
+        self.asleep = workspace.chunks.iter().map(|chunk| chunk.asleep_impulse).sum();
+        self.scale += self.walls.norm() + self.frozen.norm() + self.asleep.norm();
     }
 
     /// Books a body of this mass \[kg\], centre and velocity that moved under gravity for `duration` \[s\].
@@ -130,11 +134,11 @@ impl<const D: usize> Ledger<D> {
     /// What the books fail to close by \[N s\].
     pub fn residual(&self) -> Vector<D> {
         self.momentum - self.momentum_before + self.added_mass
-            - (self.gravity + self.walls + self.frozen + self.drag + self.explicit)
+            - (self.gravity + self.walls + self.frozen + self.asleep + self.drag + self.explicit)
     }
 
-    /// The row as it crosses to the coupler: frozen grains count as walls, the reaction of the added mass as an
-    /// explicit force.
+    /// The row as it crosses to the coupler: what holds frozen and sleeping grains counts as a wall, the
+    /// reaction of the added mass as an explicit force.
     pub fn row(&self) -> GrainLedger {
         let vector = |v: &Vector<D>| embed(v).into();
         GrainLedger {
@@ -143,7 +147,7 @@ impl<const D: usize> Ledger<D> {
             momentum_before: vector(&self.momentum_before),
             momentum: vector(&self.momentum),
             gravity: vector(&self.gravity),
-            walls: vector(&(self.walls + self.frozen)),
+            walls: vector(&(self.walls + self.frozen + self.asleep)),
             drag: vector(&self.drag),
             explicit: vector(&(self.explicit - self.added_mass)),
             supports: vector(&self.supports),

@@ -6,6 +6,7 @@ use crate::contact::{Coefficients, ExtraConstants, Extras, NormalLaw, normal::No
 use crate::deletion::Deletion;
 use crate::domain::Domain;
 use crate::material::Materials;
+use crate::sleep::SleepBound;
 use crate::vector::Vector;
 use crate::wall::Walls;
 
@@ -44,6 +45,8 @@ pub struct Scene<const D: usize> {
     pub clumps: Vec<ClumpKind>,
     /// The walls.
     pub walls: Walls<D>,
+    /// When idle grains sleep; nothing where none does.
+    pub sleep: Option<SleepBound>,
     /// Where grains are taken out.
     pub deletions: Vec<Deletion<D>>,
 }
@@ -64,6 +67,7 @@ impl<const D: usize> Scene<D> {
             bond_laws: vec![],
             clumps: vec![],
             walls: Walls::new(vec![]),
+            sleep: None,
             deletions: vec![],
         }
     }
@@ -96,6 +100,11 @@ impl<const D: usize> Scene<D> {
     /// The scene with these kinds of clumps.
     pub fn with_clumps(self, clumps: Vec<ClumpKind>) -> Self {
         Self { clumps, ..self }
+    }
+
+    /// The scene in which idle grains sleep within this bound.
+    pub fn with_sleep(self, bound: SleepBound) -> Self {
+        Self { sleep: Some(bound), ..self }
     }
 
     /// Constants of the contact of two materials at this effective radius \[m\] and effective mass \[kg\]; nothing

@@ -7,6 +7,7 @@ use crate::engine::{bring_up_lists, forces};
 use crate::error::DemError;
 use crate::integrate::advance;
 use crate::scene::Scene;
+use crate::sleep::assign_work;
 use crate::workspace::Workspace;
 use crate::world::World;
 
@@ -27,6 +28,7 @@ pub fn step<const D: usize>(
     flight: f64,
 ) -> Result<(), DemError> {
     bring_up_lists(scene, world, workspace, step)?;
+    assign_work(scene, world, workspace);
     forces(scene, world, workspace, step);
     let faulty = |fault, time| DemError::Fault { fault, time };
     pull_bonds(scene, world, workspace).map_err(|fault| faulty(fault, workspace.time))?;

@@ -8,6 +8,7 @@ use crate::fault::Fault;
 use crate::lanes::Backend;
 use crate::relaxation::Relaxation;
 use crate::scene::Scene;
+use crate::sleep::{Held, Slumber, Work};
 use crate::vector::Vector;
 use crate::wall::{Poses, WallImpulse};
 use crate::world::World;
@@ -35,6 +36,14 @@ pub struct ChunkScratch<const D: usize> {
     pub wall_impulse: Vec<WallImpulse<D>>,
     /// Impulse given to frozen grains by contacts in this window \[N s\].
     pub frozen_impulse: Vector<D>,
+    /// Impulse that stopped grains and holds them asleep in this window \[N s\].
+    pub asleep_impulse: Vector<D>,
+    /// What each wall received in the last step that the chunk found its forces in; nothing where no grain may sleep.
+    pub last_wall_impulse: Vec<WallImpulse<D>>,
+    /// What held the chunk at rest when it was last asked.
+    pub held: Held,
+    /// What was slept since it was last booked.
+    pub slumber: Slumber,
     /// Wall contacts of the last step.
     pub old_wall_contacts: Vec<WallContact>,
     /// Surfaces that one grain presses into.
@@ -48,6 +57,10 @@ impl<const D: usize> ChunkScratch<D> {
         Self {
             wall_impulse: vec![],
             frozen_impulse: Vector::zeros(),
+            asleep_impulse: Vector::zeros(),
+            last_wall_impulse: vec![],
+            held: Held::default(),
+            slumber: Slumber::default(),
             old_wall_contacts: vec![],
             pressed: vec![],
             fault: None,
@@ -58,7 +71,23 @@ impl<const D: usize> ChunkScratch<D> {
         self.wall_impulse.clear();
         self.wall_impulse.resize(walls, WallImpulse::zero());
         self.frozen_impulse = Vector::zeros();
+        self.asleep_impulse = Vector::zeros();
         self.fault = None;
+    }
+}
+
+impl<const D: usize> ChunkScratch<D> {
+    /// Keeps what walls received in this step; `last_wall_impulse` is what they had received before.
+    pub fn keep_wall_impulse(&mut self) {
+        self.last_wall_impulse
+            .iter_mut()
+            .zip(&self.wall_impulse)
+            .for_each(|(last, &now)| *last = now - *last);
+    }
+
+    /// Walls receive what they received in the last step.
+    pub fn repeat_wall_impulse(&mut self) {
+        self.wall_impulse.iter_mut().zip(&self.last_wall_impulse).for_each(|(sum, &last)| *sum += last);
     }
 }
 
@@ -79,6 +108,12 @@ pub struct Workspace<const D: usize> {
     pub chunks: Vec<ChunkScratch<D>>,
     /// By chunk: loads on its rows and on those of later chunks that its pairs reach.
     pub loads: Vec<ChunkLoads>,
+    /// By chunk: what the step does with its forces.
+    pub work: Vec<Work>,
+    /// In the coming step the forces of all chunks are found, of sleeping ones too.
+    pub survey: bool,
+    /// By chunk: whether its grains may have moved since the last inner list.
+    pub stale: Vec<bool>,
     /// The bonds tied to the rows of this window.
     pub links: Links,
     /// The members of clumps tied to the rows of this window.
@@ -107,6 +142,9 @@ impl<const D: usize> Workspace<D> {
             periods: Periods::default(),
             chunks: vec![],
             loads: vec![],
+            work: vec![],
+            survey: true,
+            stale: vec![],
             links: Links::default(),
             members: Members::default(),
             relaxation: vec![],
@@ -136,6 +174,10 @@ impl<const D: usize> Workspace<D> {
         };
         self.chunks.resize_with(contacts.chunks.len(), opened);
         self.loads.resize_with(contacts.chunks.len(), ChunkLoads::default);
+        self.work.resize(contacts.chunks.len(), Work::All);
+        self.survey = true;
+        self.stale.clear();
+        self.stale.resize(contacts.chunks.len(), true);
         for (loads, chunk) in self.loads.iter_mut().zip(&contacts.chunks) {
             loads.clear(chunk.grain_of_slot.len(), self.planes.rows.len());
         }

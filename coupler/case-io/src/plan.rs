@@ -54,6 +54,7 @@ parts! {
     Deletion: "deletion",
     RemovalOfEscaped: "removal of escaped grains",
     CriticalSubstep: "critical substep",
+    Sleep: "sleep of idle grains",
     Fluid: "fluid",
     FlowSolution: "flow solution",
     Convection: "convection",

@@ -34,6 +34,9 @@ pub struct Summary {
     pub peak_memory: u64,
     /// How often work was saved, by kind.
     pub thrift: BTreeMap<String, u64>,
+    /// What that took away, by kind, with the unit in brackets.
+    #[serde(default)]
+    pub taken: BTreeMap<String, f64>,
     /// The largest residual of every ledger row.
     pub ledger: BTreeMap<String, LedgerMaximum>,
     /// The case's checks.
@@ -205,6 +208,7 @@ mod tests {
             counts: Counts { windows: 100, iterations: 230, substeps: 5000, grains: 1, nodes: 12_167 },
             peak_memory: 1 << 33,
             thrift: [("lists-reused".to_owned(), u64::MAX)].into(),
+            taken: [("energy-taken-by-sleep[J]".to_owned(), 1.25e-17)].into(),
             ledger: [("momentum".to_owned(), LedgerMaximum { residual: 1e-17, tolerance: 1e-12 })].into(),
             checks: vec![Check {
                 name: "terminal velocity".to_owned(),

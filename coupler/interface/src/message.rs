@@ -185,6 +185,8 @@ pub struct Usage {
     pub parts: Vec<(String, f64)>,
     /// Counters of saved work.
     pub counters: Vec<(String, u64)>,
+    /// What that took away, with the unit in brackets.
+    pub taken: Vec<(String, f64)>,
 }
 
 /// Why a participant cannot go on.

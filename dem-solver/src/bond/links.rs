@@ -156,6 +156,11 @@ impl Links {
         pairs
     }
 
+    /// Rows of the grains of each bond.
+    pub fn rows(&self) -> &[[u32; 2]] {
+        &self.rows
+    }
+
     /// The constants of the bonds, in their order.
     pub fn beams(&self) -> &[Beam] {
         &self.beams

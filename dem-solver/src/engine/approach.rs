@@ -66,6 +66,11 @@ impl Fastest {
         }
     }
 
+    /// The largest speed at all \[m/s\].
+    pub fn speed(&self) -> f64 {
+        self.speed.sqrt()
+    }
+
     /// The middle of all velocities: the frame that speeds are best measured in \[m/s\].
     fn middle(&self) -> [f64; 3] {
         std::array::from_fn(|axis| 0.5 * (self.low[axis] + self.high[axis]))

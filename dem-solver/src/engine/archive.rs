@@ -1,6 +1,6 @@
 //! The lists as arrays, for a checkpoint, and back.
 
-use super::chunk::{Chunk, find_stretches};
+use super::chunk::{Chunk, find_stretches, ranges};
 use super::constants::Alike;
 use super::inner::Refresh;
 use super::list::ContactList;
@@ -17,6 +17,7 @@ use crate::domain::Image;
 use crate::grains::Grains;
 use crate::lanes::Vec3;
 use crate::scene::Scene;
+use crate::sleep::Quiet;
 use crate::vector::Spin;
 
 /// All that cannot be found again from the grains; rows are those of the world.
@@ -50,6 +51,8 @@ pub struct ContactArrays {
     pub on_walls: Vec<u32>,
     /// Their normals and springs.
     pub wall_springs: Vec<f64>,
+    /// Quiet time of each chunk \[s\], infinite where it sleeps.
+    pub quiet: Vec<f64>,
 }
 
 /// Numbers of a spring: force and stiffness, the torque against rolling, the bridge, the twist, its annuli.
@@ -118,7 +121,8 @@ impl ContactArrays {
     /// The lists as arrays.
     pub fn of(list: &ContactList) -> Self {
         let width = width(list);
-        let mut arrays = Self { width: width as u64, ..Self::default() };
+        let quiet = list.quiet.iter().map(|quiet| quiet.time()).collect();
+        let mut arrays = Self { width: width as u64, quiet, ..Self::default() };
         for chunk in &list.chunks {
             arrays.rows = chunk.rows.end as u64;
             let before = arrays.outer.len() as u32 / 2;
@@ -183,6 +187,7 @@ impl ContactArrays {
             && self.near_walls.chunks(3).all(|c| c[0] < rows && c[1] < surfaces && c[2] < images)
             && ascends::<2>(&self.on_walls)
             && self.on_walls.chunks(2).all(|c| c[0] < rows && c[1] < walls)
+            && self.quiet.len() == ranges(self.rows as usize).count()
             && self.wall_springs.len() == self.on_walls.len() / 2 * (3 + width)
     }
 
@@ -200,6 +205,7 @@ impl ContactArrays {
         let spent = list.spent;
         list.fit(self.rows as usize);
         list.spent = spent;
+        list.quiet = self.quiet.iter().map(|&time| Quiet::of_time(time)).collect::<Option<_>>()?;
         // Without an outer list nothing was found to be alike.
         list.alike = if list.counters.outer > 0 { Alike::of(scene, grains) } else { None };
         let periods = Periods::new(&scene.domain);

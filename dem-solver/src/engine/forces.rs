@@ -28,7 +28,8 @@ pub fn forces<const D: usize>(
     step: f64,
 ) {
     let World { grains, contacts, .. } = world;
-    let Workspace { backend, planes, periods, walls, chunks: scratches, loads, .. } = workspace;
+    let Workspace { backend, planes, periods, walls, chunks: scratches, loads, work, .. } = workspace;
+    let asleep = scene.sleep.is_some();
     let Some(law) = scene.normal_law.in_lanes::<D>() else { return };
     let kernels = Kernels {
         law,
@@ -42,7 +43,15 @@ pub fn forces<const D: usize>(
         alike: contacts.alike,
         step,
     };
-    contacts.chunks.par_iter_mut().zip(loads).zip(scratches).for_each(|((chunk, loads), scratch)| {
+    let parts = contacts.chunks.par_iter_mut().zip(loads).zip(scratches).zip(work);
+    parts.for_each(|(((chunk, loads), scratch), work)| {
+        if !work.finds_forces() {
+            scratch.repeat_wall_impulse();
+            return;
+        }
+        if asleep {
+            scratch.last_wall_impulse.clone_from(&scratch.wall_impulse);
+        }
         let slots = &mut loads.slots;
         on_walls_one_by_one(scene, grains, walls, chunk, (slots, scratch), step);
         kernels.on_planes(chunk, loads);
@@ -50,6 +59,9 @@ pub fn forces<const D: usize>(
         if let Some((i, j)) = kernels.between_grains(chunk, &mut loads.slots) {
             let (one, other) = (grains.id[i as usize], grains.id[j as usize]);
             scratch.fault.get_or_insert(Fault::Coincident { one, other });
+        }
+        if asleep {
+            scratch.keep_wall_impulse();
         }
     });
 }

@@ -7,6 +7,7 @@ use super::near_planes::PlaneSpring;
 use super::order::LISTS_PER_ORDER;
 use super::wall_contact::WallContact;
 use crate::contact::Remembered;
+use crate::sleep::{Quiet, Slumber, regroup};
 
 /// How far beyond touch the lists reach, or how much of that is spent \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +55,10 @@ pub struct ContactList {
     pub built_since_order: u32,
     /// How often lists were made.
     pub counters: Counters,
+    /// By chunk: for how long its grains have been slow, or that they sleep.
+    pub quiet: Vec<Quiet>,
+    /// How much was slept.
+    pub slumber: Slumber,
 }
 
 impl ContactList {
@@ -69,6 +74,8 @@ impl ContactList {
             // Grains are born in any order.
             built_since_order: LISTS_PER_ORDER,
             counters: Counters::default(),
+            quiet: vec![],
+            slumber: Slumber::default(),
         }
     }
 
@@ -93,7 +100,9 @@ impl ContactList {
     /// a removed grain.
     pub fn renumber(&mut self, new_row: &[Option<u32>], grains: usize) {
         let (mut pairs, mut on_planes, mut on_walls) = (Vec::new(), Vec::new(), Vec::new());
-        for chunk in &mut self.chunks {
+        let mut quiet_of_row = vec![Quiet::default(); grains];
+        for (chunk, quiet) in self.chunks.iter_mut().zip(&self.quiet) {
+            new_row[chunk.rows.clone()].iter().flatten().for_each(|&row| quiet_of_row[row as usize] = *quiet);
             chunk.stow();
             pairs.extend(chunk.remembered.drain(..).filter_map(|Remembered { i, j, spring }| {
                 let (i, j) = (new_row[i as usize]?, new_row[j as usize]?);
@@ -111,6 +120,9 @@ impl ContactList {
         on_planes.sort_by_key(|contact| contact.grain);
         on_walls.sort_by_key(|contact| contact.grain);
         self.chunks = ranges(grains).map(Chunk::new).collect();
+        let woken;
+        (self.quiet, woken) = regroup(&self.chunks, &quiet_of_row);
+        self.slumber.wakings += woken;
         let mut pairs = pairs.into_iter().peekable();
         let mut on_planes = on_planes.into_iter().peekable();
         let mut on_walls = on_walls.into_iter().peekable();
@@ -139,14 +151,16 @@ impl ContactList {
 
     /// Copies `other` into memory that is already here.
     pub fn copy_from(&mut self, other: &Self) {
-        let Self { chunks, alike, skins, spent, approach, walls_time, built_since_order, counters } = other;
+        let Self { chunks, alike, skins, spent, approach, walls_time, built_since_order, .. } = other;
+        let Self { counters, quiet, slumber, .. } = other;
         self.chunks.resize_with(chunks.len(), Chunk::default);
         for (mine, theirs) in self.chunks.iter_mut().zip(chunks) {
             mine.copy_from(theirs);
         }
         (self.alike, self.skins, self.spent, self.approach) = (*alike, *skins, *spent, *approach);
         (self.walls_time, self.built_since_order) = (*walls_time, *built_since_order);
-        self.counters = *counters;
+        (self.counters, self.slumber) = (*counters, *slumber);
+        self.quiet.clone_from(quiet);
     }
 }
 

@@ -30,6 +30,13 @@ pub struct Arriving<'a> {
     loads: &'a mut [Row8],
 }
 
+impl Arriving<'_> {
+    /// Forgets the loads.
+    pub fn clear(self) {
+        self.loads.fill(Row8::default());
+    }
+}
+
 /// By chunk: the loads it puts on its own rows, and those that earlier chunks put there, in their order.
 pub fn by_target<'a>(
     chunks: &'a [Chunk],

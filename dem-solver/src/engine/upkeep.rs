@@ -111,7 +111,7 @@ fn find_pairs<const D: usize>(
     Ok(())
 }
 
-fn refresh_pairs<const D: usize>(scene: &Scene<D>, world: &mut World<D>, workspace: &Workspace<D>) {
+fn refresh_pairs<const D: usize>(scene: &Scene<D>, world: &mut World<D>, workspace: &mut Workspace<D>) {
     let World { grains, contacts, .. } = world;
     let refresh = Refresh {
         scene,
@@ -120,7 +120,16 @@ fn refresh_pairs<const D: usize>(scene: &Scene<D>, world: &mut World<D>, workspa
         gap: contacts.skins.inner + scene.reach(grains.largest_radius()),
         alike: contacts.alike.is_some(),
     };
-    contacts.chunks.par_iter_mut().for_each(|chunk| refresh.run(workspace.backend, chunk));
+    // The pairs of grains that all slept since the last list are what they were.
+    let stale = &workspace.stale;
+    contacts.chunks.par_iter_mut().zip(stale).for_each(|(chunk, &own)| {
+        if own || chunk.stretches.iter().any(|stretch| stale[stretch.target]) {
+            refresh.run(workspace.backend, chunk);
+        }
+    });
+    if scene.sleep.is_some() {
+        workspace.stale.fill(false);
+    }
     contacts.spent.inner = 0.0;
     contacts.counters.inner += 1;
 }

@@ -8,6 +8,7 @@ mod motion;
 mod places;
 mod region;
 mod sizes;
+mod sleep;
 mod surroundings;
 mod walls;
 
@@ -59,6 +60,7 @@ pub fn set_up<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Resul
     }
     places::check_places(case, &scene, &world, &firsts)?;
     world.bonds = bonds::bonds(case, &scene, &world, &firsts)?;
+    scene.sleep = grains.sleep.as_ref().map(|stated| sleep::bound(stated, &scene, &world));
     let substep = match document.time.substep {
         Some(step) => Substep::Given(step.si()),
         None => Substep::Fraction(document.time.substep_safety),

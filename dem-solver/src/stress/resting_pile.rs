@@ -1,4 +1,4 @@
-//! A pile that rests for very many steps.
+//! A pile that rests for very many steps, awake and asleep.
 
 use super::finding::Finding;
 use super::runner::Runner;
@@ -6,6 +6,8 @@ use super::{Effort, laws};
 use crate::error::DemError;
 use crate::grains::Grain;
 use crate::insertion::Random;
+use crate::scene::Scene;
+use crate::sleep::SleepBound;
 use crate::vector::Spin;
 
 const RADIUS: f64 = 1e-3;
@@ -24,6 +26,8 @@ struct Rest {
     kinetic_energy: f64,
     /// Growth of all energy, over m g r.
     growth: f64,
+    /// Share of the grain-steps in which grains moved or forces were found.
+    worked: f64,
 }
 
 /// Energy and drift of a pyramid of spheres.
@@ -32,6 +36,7 @@ pub fn findings(effort: Effort) -> Vec<Finding> {
     let mut findings = Vec::new();
     for (name, law) in laws::own() {
         let scene = laws::spheres(law, &[1e7], 0.5, 0.5).with_gravity([0.0, 0.0, -GRAVITY]);
+        findings.extend(asleep(name, scene.clone(), steps));
         let (what, rest) = (format!("{name}, {steps} steps"), rest(Runner::new(scene, &pyramid()), steps));
         // An error is told in the first row of the three.
         let (drift, others) = match rest {
@@ -47,6 +52,22 @@ pub fn findings(effort: Effort) -> Vec<Finding> {
         }
     }
     findings
+}
+
+/// The same pile where idle grains sleep: none moves, next to nothing is worked on.
+fn asleep(name: &str, scene: Scene<3>, steps: u32) -> Vec<Finding> {
+    let bound = SleepBound { speed: 1e-4 * (2.0 * GRAVITY * RADIUS).sqrt(), acceleration: 1e-3 * GRAVITY };
+    let rest = rest(Runner::new(scene.with_sleep(bound), &pyramid()), steps);
+    let what = format!("{name}, {steps} steps, asleep");
+    let (drift, worked) = match rest {
+        Ok(rest) => (Ok(rest.drift), Some(rest.worked)),
+        Err(error) => (Err(error), None),
+    };
+    let worked =
+        worked.map(|worked| Finding::number(&what, "share of grain-steps worked on", Ok(worked), 0.0..=0.2));
+    std::iter::once(Finding::number(&what, "drift over the radius", drift, 0.0..=1e-6))
+        .chain(worked)
+        .collect()
 }
 
 /// Layers of n², (n - 1)², … spheres in each other's hollows, not quite in place.
@@ -80,16 +101,20 @@ fn rest(mut pile: Runner, steps: u32) -> Result<Rest, DemError> {
     };
     let (before, energy) = (centres(&pile), pile.energy());
     let step = 0.5 * pile.critical();
+    let slept = |pile: &Runner| pile.world.contacts.slumber.grain_steps_without_forces;
+    let slept_before = slept(&pile);
     let mut kinetic_energy = 0.0_f64;
     for _ in 0..steps / STEPS_PER_WINDOW {
         pile.window(f64::from(STEPS_PER_WINDOW) * step, STEPS_PER_WINDOW)?;
         kinetic_energy = kinetic_energy.max(pile.kinetic_energy());
     }
     let ways = centres(&pile).into_iter().zip(&before).map(|(after, before)| (after - before).norm());
+    let grain_steps = f64::from(steps) * pile.world.grains.len() as f64;
     let lift = pile.world.grains.mass[0] * GRAVITY * RADIUS;
     Ok(Rest {
         drift: ways.fold(0.0, f64::max) / RADIUS,
         kinetic_energy: kinetic_energy / lift,
         growth: (pile.energy() - energy) / lift,
+        worked: 1.0 - (slept(&pile) - slept_before) as f64 / grain_steps,
     })
 }

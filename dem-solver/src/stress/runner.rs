@@ -3,7 +3,7 @@
 use crate::contact::stored_energy;
 use crate::critical_time_step::{Substep, critical_time_step, substeps};
 use crate::error::DemError;
-use crate::grains::Grain;
+use crate::grains::{Grain, Motion};
 use crate::scene::Scene;
 use crate::window::window;
 use crate::workspace::Workspace;
@@ -57,10 +57,7 @@ impl Runner {
     /// Kinetic energy \[J\].
     pub fn kinetic_energy(&self) -> f64 {
         let moving = self.world.grains.motion.iter().filter(|motion| !motion.is_frozen());
-        let each = moving.map(|motion| {
-            0.5 * motion.velocity.norm_squared() / motion.inverse_mass + motion.rotational_energy()
-        });
-        each.sum()
+        moving.map(Motion::kinetic_energy).sum()
     }
 
     /// Kinetic, stored and potential energy \[J\].

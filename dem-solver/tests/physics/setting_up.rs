@@ -9,7 +9,7 @@ use dem_solver::contact::normal::{Hertz, Onate};
 use dem_solver::contact::twisting::TwistingLaw;
 use dem_solver::contact::{Extras, NormalLaw};
 use dem_solver::wall::Facet;
-use dem_solver::{FluidMesh, Setup, Substep, set_up};
+use dem_solver::{FluidMesh, Setup, SleepBound, Substep, set_up};
 
 const CASE: &str = r#"
 [case]
@@ -327,4 +327,20 @@ fn clumps_are_set_up_with_the_mass_of_the_union_or_their_own() {
         error.contains("grains.periodic: the domain is 0.006 m long in x; allowed: more than"),
         "{error}"
     );
+}
+
+#[test]
+fn grains_sleep_where_the_case_says_so_by_its_gravity_and_smallest_grain_or_as_stated() {
+    let folder = Folder::new("sleep");
+    let bound = |said: &str| {
+        let text = CASE.replace("escape = \"remove\"", &format!("escape = \"remove\"\n{said}"));
+        folder.set_up(&text, None).unwrap().scene.sleep
+    };
+    assert_eq!(bound(""), None);
+    // The smallest are fed, of 1 mm.
+    let speed = 1e-4 * (9.81_f64 * 1e-3).sqrt();
+    let default = bound("sleep = {}").unwrap();
+    assert!((default.speed / speed - 1.0).abs() < 1e-15 && default.acceleration == 9.81e-3);
+    let stated = bound("sleep = { speed = \"20 um/s\", acceleration = \"0.05 m/s^2\" }");
+    assert_eq!(stated, Some(SleepBound { speed: 2e-5, acceleration: 0.05 }));
 }

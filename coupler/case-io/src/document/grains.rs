@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::quantity::{Length, Velocity, Viscosity};
+use super::sleep::Sleep;
 use super::vector::{Axis, Bounds};
 
 /// `[grains]`
@@ -37,6 +38,8 @@ pub struct Grains {
     /// Deepest overlap at the start, of grains and with walls, as a fraction of the diameter.
     #[serde(default = "default_start_overlap")]
     pub start_overlap: f64,
+    /// When idle grains sleep; default: none does.
+    pub sleep: Option<Sleep>,
 }
 
 fn default_start_overlap() -> f64 {

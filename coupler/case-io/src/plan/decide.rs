@@ -30,7 +30,8 @@ pub(super) fn decide(part: Part, document: &Document) -> Decision {
         | Part::FrozenGrains
         | Part::Deletion
         | Part::RemovalOfEscaped
-        | Part::CriticalSubstep => match &document.grains {
+        | Part::CriticalSubstep
+        | Part::Sleep => match &document.grains {
             Some(grains) => of_grains(part, document, grains),
             None => off("there is no [grains]"),
         },
@@ -147,6 +148,8 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
             Some(substep) => off(format!("substep = \"{substep}\"")),
             None => on(format!("substep-safety = {}", document.time.substep_safety)),
         },
+        Part::Sleep if grains.sleep.is_some() => on("[grains.sleep]"),
+        Part::Sleep => off("no [grains.sleep]"),
         _ => on(format!("[grains], {} [[insertion]]", document.insertion.len())),
     }
 }
@@ -252,6 +255,7 @@ mod tests {
             FrozenGrains,
             Deletion,
             RemovalOfEscaped,
+            Sleep,
             BodyForce,
             BoundaryExpressions,
             AddedMass,
@@ -292,6 +296,7 @@ mod tests {
             (SETTLING, "\"-9.81 m/s^2\"", "\"0 m/s^2\"", Part::FluidGravity),
             (SETTLING, "[[insertion]]", &format!("{grid}[[insertion]]"), Part::FrozenGrains),
             (SETTLING, "[[insertion]]", "escape = \"remove\"\n[[insertion]]", Part::RemovalOfEscaped),
+            (SETTLING, "[[insertion]]", "sleep = {}\n[[insertion]]", Part::Sleep),
             (SETTLING, "window =", "substep = \"1 us\"\nwindow =", Part::CriticalSubstep),
             (SETTLING, "[grains]", "[output]\nframes = \"none\"\n[grains]", Part::Frames),
             (SETTLING, "[grains]", "[output]\nrestart = \"none\"\n[grains]", Part::RestartPoints),

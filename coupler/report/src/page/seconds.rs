@@ -35,6 +35,12 @@ pub(super) fn thrift(summary: Option<&Summary>) -> String {
         .iter()
         .flat_map(|summary| &summary.thrift)
         .map(|(name, &times)| vec![escape(name), count(times)])
+        .chain(
+            summary
+                .iter()
+                .flat_map(|summary| &summary.taken)
+                .map(|(name, taken)| vec![escape(name), format!("{taken:.4e}")]),
+        )
         .collect();
-    if rows.is_empty() { nothing("Nothing was counted.") } else { table(&["kind", "times"], &rows) }
+    if rows.is_empty() { nothing("Nothing was counted.") } else { table(&["kind", "times or amount"], &rows) }
 }

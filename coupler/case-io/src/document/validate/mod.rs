@@ -17,6 +17,7 @@ mod probe;
 mod region;
 mod rules;
 mod sizes;
+mod sleep;
 mod surface;
 mod wall;
 
@@ -39,6 +40,7 @@ pub(super) fn validate(document: &Document, source: &Source) -> Result<(), CaseE
     material::check(document, rules)?;
     fluid::check(document, rules)?;
     grains::check(document, rules)?;
+    sleep::check(document, rules)?;
     surface::check(document, rules)?;
     cohesion::check(document, rules)?;
     lubrication::check(document, rules)?;
