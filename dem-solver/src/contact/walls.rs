@@ -60,6 +60,17 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
             if let Some(pose) = walls.of(pressed.wall) {
                 velocity -= embed(&pose.velocity_at(&point));
             }
+            let closing = velocity.dot(&embed(&normal));
+            // Past a surface of two sides the centre would see the other side, as if nothing had been.
+            if pressed.nearest.distance < closing.max(0.0) * step {
+                let (grain, wall, depth) = (grains.id[row as usize], pressed.wall, overlap / place.radius);
+                scratch.fault.get_or_insert(Fault::ThroughWall {
+                    grain,
+                    wall,
+                    depth,
+                    speed: velocity.norm(),
+                });
+            }
             let touch = Touch { normal: lane(&embed(&normal)), overlap, velocity: lane(&velocity) };
             let mut spring = if T::REMEMBERS {
                 inherited(of_grain, pressed.wall, &embed(&normal))
