@@ -143,7 +143,7 @@ impl<const D: usize> DemParticipant<D> {
             self.world.received.restart(self.world.time);
         }
         if let Some(number) = commit.frame {
-            self.record.frame(&self.world, number)?;
+            self.record.frame(&self.scene, &self.world, number)?;
         }
         if let Some(folder) = &commit.restart {
             self.world.write_checkpoint(&folder.join(PART))?;

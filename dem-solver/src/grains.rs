@@ -46,6 +46,15 @@ impl Motion {
         }
     }
 
+    /// m v²/2 + I ω²/2 \[J\]; 0 for a frozen grain.
+    pub fn kinetic_energy(&self) -> f64 {
+        if self.is_frozen() {
+            return 0.0;
+        }
+        0.5 * (self.velocity.norm_squared() / self.inverse_mass
+            + self.angular_velocity.norm_squared() / self.inverse_inertia)
+    }
+
     /// Whether the grain is fixed in place.
     #[inline]
     pub fn is_frozen(&self) -> bool {

@@ -3,12 +3,14 @@
 use crate::bond_series::{bond_row, bond_titles};
 use crate::bulk::{bulk_row, bulk_titles};
 use crate::error::DemError;
+use crate::grain_fields::write_grains;
 use crate::scene::Scene;
 use crate::turnover_series::{turnover_row, turnover_titles};
-use crate::vector::{embed, restrict};
+use crate::vector::embed;
 use crate::world::World;
+use case_io::document::{GrainField, OutputTable};
 use case_io::output::series::{SeriesWriter, cut_after};
-use case_io::output::vtk::{Collection, Compression, Field, Format, GrainPoints, Precision};
+use case_io::output::vtk::{Collection, Compression, Format, Precision};
 use std::path::{Path, PathBuf};
 
 const TITLES: [&str; 11] = [
@@ -29,6 +31,8 @@ const TITLES: [&str; 11] = [
 pub struct Record {
     out: PathBuf,
     format: Format,
+    /// Those of the grains in frames.
+    fields: Vec<GrainField>,
     /// Whether the initial state is a frame.
     films_start: bool,
     series: Option<SeriesWriter>,
@@ -45,13 +49,14 @@ pub struct Record {
 
 impl Record {
     /// Nothing is written before `start` or `resume`.
-    pub fn new(out: &Path, compress: bool, films_start: bool) -> Record {
-        let compression = if compress { Compression::Lz4 } else { Compression::None };
+    pub fn new(out: &Path, output: &OutputTable) -> Record {
+        let compression = if output.compress { Compression::Lz4 } else { Compression::None };
         let format = Format { precision: Precision::Single, compression };
         Record {
             out: out.to_path_buf(),
             format,
-            films_start,
+            fields: output.fields().to_vec(),
+            films_start: output.films_start(),
             series: None,
             bulk: None,
             walls: None,
@@ -89,7 +94,7 @@ impl Record {
         self.bond_row(scene, world)?;
         self.turnover = begin(&of_turnover, &turnover_titles(scene, world))?;
         self.turnover_row(scene, world)?;
-        if self.films_start { self.frame(world, 0) } else { Ok(()) }
+        if self.films_start { self.frame(scene, world, 0) } else { Ok(()) }
     }
 
     /// Goes on after the world's time; later rows and frames are cut.
@@ -166,11 +171,7 @@ impl Record {
             });
             fastest = fastest.max(motion.velocity.norm());
             highest = highest.max(at.centre[D - 1] + at.radius);
-            if !motion.is_frozen() {
-                energy += 0.5
-                    * (motion.velocity.norm_squared() / motion.inverse_mass
-                        + motion.angular_velocity.norm_squared() / motion.inverse_inertia);
-            }
+            energy += motion.kinetic_energy();
         }
         let [x, y, z] = place;
         let [vx, vy, vz] = velocity;
@@ -182,26 +183,15 @@ impl Record {
     ///
     /// # Errors
     /// The disk's.
-    pub fn frame<const D: usize>(&mut self, world: &World<D>, number: u64) -> Result<(), DemError> {
+    pub fn frame<const D: usize>(
+        &mut self,
+        scene: &Scene<D>,
+        world: &World<D>,
+        number: u64,
+    ) -> Result<(), DemError> {
         let Some(frames) = &mut self.frames else { return Ok(()) };
-        let grains = &world.grains;
-        let centres: Vec<[f64; D]> = grains.place.iter().map(|place| place.at::<D>().into()).collect();
-        let radii: Vec<f64> = grains.place.iter().map(|place| place.radius).collect();
-        let velocities: Vec<[f64; D]> =
-            grains.motion.iter().map(|motion| restrict::<D>(&motion.velocity).into()).collect();
-        let spins: Vec<[f64; 3]> =
-            grains.motion.iter().map(|motion| motion.angular_velocity.into()).collect();
-        let materials: Vec<u64> = grains.material.iter().map(|material| u64::from(*material)).collect();
-        let fields = [
-            Field::whole("id", &grains.id),
-            Field::scalar("radius", &radii),
-            Field::vector("velocity", &velocities),
-            Field::vector("angular_velocity", &spins),
-            Field::whole("material", &materials),
-        ];
         let name = format!("grains-{number:05}.vtp");
-        let points = GrainPoints { centres: &centres, fields: &fields };
-        points.write(&self.out.join("frames").join(&name), self.format)?;
+        write_grains(&self.out.join("frames").join(&name), self.format, &self.fields, scene, world)?;
         Ok(frames.push(world.time, &name)?)
     }
 }

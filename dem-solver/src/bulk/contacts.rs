@@ -23,6 +23,15 @@ pub struct Contact {
     pub force: Spin,
     /// b \[m\]: to the centre of the other grain, or to the point where the force of a wall or frozen grain acts.
     pub branch: Spin,
+    /// Distances from the two centres at which the force acts \[m\]; the second is that of `other`, 0 if there is none.
+    pub arms: [f64; 2],
+}
+
+impl Contact {
+    /// A contact with a wall or a frozen grain, whose force acts this far from the centre \[m\].
+    fn on_support(grain: usize, normal: Spin, force: Spin, arm: f64) -> Self {
+        Self { grain, other: None, normal, force, branch: normal * arm, arms: [arm, 0.0] }
+    }
 }
 
 /// The contacts of the world in the order of the lists, with the force that the laws of the scene give them were all
@@ -73,16 +82,14 @@ fn between_grains<const D: usize, N: Normal<D>, T: Tangential>(
         let force =
             at_rest::<D, N, T>(&coefficients, (normal, overlap), attraction, chunk.inner.springs.get(k));
         let share = one.radius / reach;
+        let (arm_i, arm_j) = (N::arm(one.radius, overlap, share), N::arm(other.radius, overlap, 1.0 - share));
         found.extend(match (grains.motion[i].is_frozen(), grains.motion[j].is_frozen()) {
-            (false, false) => Some(Contact { grain: i, other: Some(j), normal, force, branch: separation }),
-            (false, true) => {
-                let branch = normal * N::arm(one.radius, overlap, share);
-                Some(Contact { grain: i, other: None, normal, force, branch })
+            (false, false) => {
+                let arms = [arm_i, arm_j];
+                Some(Contact { grain: i, other: Some(j), normal, force, branch: separation, arms })
             }
-            (true, false) => {
-                let branch = -normal * N::arm(other.radius, overlap, 1.0 - share);
-                Some(Contact { grain: j, other: None, normal: -normal, force: -force, branch })
-            }
+            (false, true) => Some(Contact::on_support(i, normal, force, arm_i)),
+            (true, false) => Some(Contact::on_support(j, -normal, -force, arm_j)),
             (true, true) => None,
         });
     }
@@ -154,7 +161,7 @@ fn on_wall<const D: usize, N: Normal<D>, T: Tangential>(
         pair.cohesion_energy_density * law.area_on_wall(radius, radius - overlap)
     });
     let force = at_rest::<D, N, T>(coefficients, (normal, overlap), attraction, spring);
-    Contact { grain, other: None, normal, force, branch: normal * N::arm(radius, overlap, 0.0) }
+    Contact::on_support(grain, normal, force, N::arm(radius, overlap, 0.0))
 }
 
 /// The force of the laws at no velocity, after no time.
