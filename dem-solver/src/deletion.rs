@@ -5,7 +5,7 @@ use crate::vector::Vector;
 use crate::wall::{Piece, Plane};
 
 /// Where grains are taken out.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Where<const D: usize> {
     /// In a region.
     Within(Region<D>),

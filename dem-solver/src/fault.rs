@@ -37,6 +37,34 @@ pub enum Fault {
         /// Index of the wall.
         wall: u32,
     },
+    /// A contact of two grains is deeper than the smaller radius.
+    #[error(
+        "grain {grain}: its centre is inside grain {other}: the overlap is {depth:.3} of its radius, the relative speed {speed:.3e} m/s; at most 1 is a contact"
+    )]
+    TooDeep {
+        /// Identity of the smaller grain.
+        grain: u64,
+        /// Identity of the other.
+        other: u64,
+        /// Overlap, over the radius of the smaller \[-\].
+        depth: f64,
+        /// Relative speed \[m/s\].
+        speed: f64,
+    },
+    /// A centre is behind a wall, or would be at the next look.
+    #[error(
+        "grain {grain}: its centre goes through wall {wall}: the overlap is {depth:.3} of its radius, the speed {speed:.3e} m/s; at most 1 is a contact"
+    )]
+    ThroughWall {
+        /// Identity of the grain.
+        grain: u64,
+        /// Index of the wall.
+        wall: u32,
+        /// Overlap, over the radius \[-\].
+        depth: f64,
+        /// Speed at the contact \[m/s\].
+        speed: f64,
+    },
 }
 
 impl Fault {
@@ -49,6 +77,9 @@ impl Fault {
             }
             Self::Coincident { .. } | Self::OnWall { .. } => {
                 "insert grains apart from each other and from walls, take a smaller substep or a stiffer material"
+            }
+            Self::TooDeep { .. } | Self::ThroughWall { .. } => {
+                "take a stiffer material (under a linear law, a characteristic velocity as high as the impacts) or a smaller substep, and insert grains apart"
             }
         }
     }

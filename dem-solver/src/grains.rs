@@ -62,12 +62,15 @@ impl Motion {
         }
     }
 
-    /// Kinetic energy m v²/2 + I ω²/2 of a grain that moves by itself \[J\].
+    /// m v²/2 + I ω²/2 of a grain that moves by itself \[J\], else 0.
     pub fn kinetic_energy(&self) -> f64 {
+        if !self.is_loose() {
+            return 0.0;
+        }
         0.5 * self.velocity.norm_squared() / self.inverse_mass + self.rotational_energy()
     }
 
-    /// Energy of rotation I ω²/2 \[J\]; none of a grain that does not turn by itself.
+    /// I ω²/2 of a grain that turns by itself \[J\], else 0.
     pub fn rotational_energy(&self) -> f64 {
         if self.inverse_inertia == 0.0 {
             return 0.0;

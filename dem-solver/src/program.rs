@@ -59,8 +59,7 @@ fn participant<const D: usize>(
 ) -> Result<DemParticipant<D>, DemError> {
     let case = load(part)?;
     let setup = set_up::<D>(&case, surface.map(FluidMesh::from).as_ref())?;
-    let output = &case.document.output;
-    let record = Record::new(&part.out, output.compress, output.films_start());
+    let record = Record::new(&part.out, &case.document.output);
     let identity = (case.hash.clone(), Plan::of(&case.document).hash());
     let mut participant = DemParticipant::new(setup, frames, record, identity, case.document.fluid.is_some());
     if let Some(folder) = &part.resume {

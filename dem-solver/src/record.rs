@@ -3,14 +3,16 @@
 use crate::bond_series::{bond_row, bond_titles};
 use crate::bulk::{bulk_row, bulk_titles};
 use crate::error::DemError;
+use crate::grain_fields::write_grains;
 use crate::grains::Place;
 use crate::kinetic_energy::kinetic_energies;
 use crate::scene::Scene;
 use crate::turnover_series::{turnover_row, turnover_titles};
-use crate::vector::{embed, restrict};
+use crate::vector::embed;
 use crate::world::World;
+use case_io::document::{GrainField, OutputTable};
 use case_io::output::series::{SeriesWriter, cut_after};
-use case_io::output::vtk::{Collection, Compression, Field, Format, GrainPoints, Precision};
+use case_io::output::vtk::{Collection, Compression, Format, Precision};
 use std::path::{Path, PathBuf};
 
 const TITLES: [&str; 11] = [
@@ -31,6 +33,8 @@ const TITLES: [&str; 11] = [
 pub struct Record {
     out: PathBuf,
     format: Format,
+    /// Those of the grains in frames.
+    fields: Vec<GrainField>,
     /// Whether the initial state is a frame.
     films_start: bool,
     series: Option<SeriesWriter>,
@@ -47,13 +51,14 @@ pub struct Record {
 
 impl Record {
     /// Nothing is written before `start` or `resume`.
-    pub fn new(out: &Path, compress: bool, films_start: bool) -> Record {
-        let compression = if compress { Compression::Lz4 } else { Compression::None };
+    pub fn new(out: &Path, output: &OutputTable) -> Record {
+        let compression = if output.compress { Compression::Lz4 } else { Compression::None };
         let format = Format { precision: Precision::Single, compression };
         Record {
             out: out.to_path_buf(),
             format,
-            films_start,
+            fields: output.fields().to_vec(),
+            films_start: output.films_start(),
             series: None,
             bulk: None,
             walls: None,
@@ -190,37 +195,10 @@ impl Record {
         number: u64,
     ) -> Result<(), DemError> {
         let Some(frames) = &mut self.frames else { return Ok(()) };
-        let grains = &world.grains;
-        let centres: Vec<[f64; D]> = grains.place.iter().map(|place| place.at::<D>().into()).collect();
-        let radii: Vec<f64> = grains.place.iter().map(|place| place.radius).collect();
-        let velocities: Vec<[f64; D]> =
-            grains.motion.iter().map(|motion| restrict::<D>(&motion.velocity).into()).collect();
-        let spins: Vec<[f64; 3]> =
-            grains.motion.iter().map(|motion| motion.angular_velocity.into()).collect();
-        let materials: Vec<u64> = grains.material.iter().map(|material| u64::from(*material)).collect();
-        let bodies = body_of_each(world);
-        let mut fields = vec![
-            Field::whole("id", &grains.id),
-            Field::scalar("radius", &radii),
-            Field::vector("velocity", &velocities),
-            Field::vector("angular_velocity", &spins),
-            Field::whole("material", &materials),
-        ];
-        if !scene.clumps.is_empty() {
-            fields.push(Field::whole("body", &bodies));
-        }
         let name = format!("grains-{number:05}.vtp");
-        let points = GrainPoints { centres: &centres, fields: &fields };
-        points.write(&self.out.join("frames").join(&name), self.format)?;
+        write_grains(&self.out.join("frames").join(&name), self.format, &self.fields, scene, world)?;
         Ok(frames.push(world.time, &name)?)
     }
-}
-
-/// The body that each grain is of: the first member of its clump, or itself.
-fn body_of_each<const D: usize>(world: &World<D>) -> Vec<u64> {
-    let World { grains, bodies, .. } = world;
-    let body = |&id: &u64| bodies.of(id).map_or(id, |(clump, _)| bodies.as_slice()[clump].first);
-    grains.id.iter().map(body).collect()
 }
 
 /// A new series, unless it would hold nothing but the time.

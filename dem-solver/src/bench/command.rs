@@ -10,16 +10,21 @@ use clap::{Args, ValueEnum};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::error::BenchError;
+use super::instructions;
 use super::memory::{bytes_per_grain, resident};
 use super::scenes::BenchScene;
 use super::settled::{Settled, cache};
 use super::speed::time;
 use super::table::{Columns, Row};
+use super::traffic::bytes_per_step;
 use crate::lanes::Backend;
 use crate::peer::{Installed, Program, Task, write_deck};
 
 /// From so many grains on, what grows with them is most of a process' memory.
 const MANY: usize = 10_000;
+
+/// Up to so many grains, instructions are counted in minutes.
+const MOST_COUNTED: usize = 100_000;
 
 /// Flags of `bench`.
 #[derive(Args, Clone, Debug)]
@@ -45,6 +50,12 @@ pub struct Arguments {
     /// The table as a file.
     #[arg(long, value_name = "FILE", default_value = "runs/bench.csv")]
     out: PathBuf,
+    /// Count instructions per grain and step too, by valgrind (slow; up to 100000 grains; AVX2 at most).
+    #[arg(long)]
+    instructions: bool,
+    /// Run so many steps of one scene, and nothing else.
+    #[arg(long, hide = true, value_name = "K")]
+    steps: Option<u32>,
     /// Tell the memory of this process on one scene, and nothing else.
     #[arg(long, hide = true)]
     resident: bool,
@@ -65,7 +76,11 @@ enum Lanes {
 
 /// Measures; the exit code says whether it could.
 pub fn run(arguments: &Arguments) -> ExitCode {
-    let measured = if arguments.resident { tell_memory(arguments) } else { measure(arguments) };
+    let measured = match arguments.steps {
+        Some(steps) => run_steps(arguments, steps),
+        None if arguments.resident => tell_memory(arguments),
+        None => measure(arguments),
+    };
     measured.map_or_else(
         |error| {
             // Nothing can be done where not even this can be printed.
@@ -79,6 +94,15 @@ pub fn run(arguments: &Arguments) -> ExitCode {
 fn tell_memory(arguments: &Arguments) -> Result<(), BenchError> {
     for (&scene, &count) in arguments.scenes.iter().zip(&arguments.grains) {
         say(&resident(scene, count)?.to_string());
+    }
+    Ok(())
+}
+
+fn run_steps(arguments: &Arguments, steps: u32) -> Result<(), BenchError> {
+    let backend = lanes(arguments.lanes)?[0];
+    let one = threads(1)?;
+    for (&scene, &count) in arguments.scenes.iter().zip(&arguments.grains) {
+        one.install(|| instructions::run(scene, count, backend, steps))?;
     }
     Ok(())
 }
@@ -121,6 +145,7 @@ struct Bench {
     several: Option<ThreadPool>,
     peers: Vec<(Program, Installed)>,
     runs: usize,
+    counts: bool,
 }
 
 impl Bench {
@@ -134,20 +159,15 @@ impl Bench {
         within("--threads", arguments.threads, 1, cores)?;
         within("--runs", arguments.runs, 1, 100)?;
         arguments.grains.iter().try_for_each(|&count| within("--grains", count, 100, 10_000_000))?;
-        let pool = |threads: usize| {
-            ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| {
-                let allowed = format!("what the system grants ({error})");
-                BenchError::OutOfRange { flag: "--threads", found: threads, allowed }
-            })
-        };
         let find =
             |&program: &Program| Ok::<_, BenchError>((program, Installed::find(program.peer(), None)?));
         Ok(Self {
             lanes: lanes(arguments.lanes)?,
-            one: pool(1)?,
-            several: (arguments.threads > 1).then(|| pool(arguments.threads)).transpose()?,
+            one: threads(1)?,
+            several: (arguments.threads > 1).then(|| threads(arguments.threads)).transpose()?,
             peers: arguments.against.iter().map(find).collect::<Result<_, _>>()?,
             runs: arguments.runs,
+            counts: arguments.instructions,
         })
     }
 
@@ -155,6 +175,7 @@ impl Bench {
     fn rows(&self, scene: BenchScene, count: usize) -> Result<(Vec<Row>, Vec<String>), BenchError> {
         let settled = Settled::new(scene, count)?;
         let (setup, steps) = (settled.set_up()?, scene.steps(count));
+        let traffic = bytes_per_step(&setup)?;
         let row = |backend: &Backend| Row {
             scene: scene.word(),
             grains: count,
@@ -163,6 +184,8 @@ impl Bench {
             runs: vec![],
             threaded: self.several.as_ref().map(|_| vec![]),
             bytes_per_grain: None,
+            traffic,
+            instructions: None,
             peers: vec![],
         };
         let mut rows: Vec<Row> = self.lanes.iter().map(row).collect();
@@ -201,9 +224,20 @@ impl Bench {
         for row in &mut rows {
             row.bytes_per_grain = bytes_per_grain;
             row.peers.clone_from(&of_peers);
+            // Valgrind computes the lanes that it knows.
+            let known = if row.lanes == "AVX-512" { "avx2".to_string() } else { row.lanes.to_lowercase() };
+            let counts = self.counts && count <= MOST_COUNTED;
+            row.instructions = counts.then(|| instructions::per_step(scene, count, &known)).transpose()?;
         }
         Ok((rows, refusals))
     }
+}
+
+fn threads(count: usize) -> Result<ThreadPool, BenchError> {
+    ThreadPoolBuilder::new().num_threads(count).build().map_err(|error| {
+        let allowed = format!("what the system grants ({error})");
+        BenchError::OutOfRange { flag: "--threads", found: count, allowed }
+    })
 }
 
 fn lanes(asked: Option<Lanes>) -> Result<Vec<Backend>, BenchError> {

@@ -54,6 +54,14 @@ pub enum BenchError {
         /// What it said.
         told: String,
     },
+    /// Nothing counts instructions.
+    #[error(
+        "--instructions: valgrind cannot count them ({told}); install it, `apt-get install valgrind`, or leave the flag out"
+    )]
+    NoCounter {
+        /// What it, or the system, said.
+        told: String,
+    },
     /// The scene is refused.
     #[error(transparent)]
     Case(#[from] CaseError),
@@ -77,7 +85,7 @@ impl BenchError {
             Self::Dem(error) => error.exit_code(),
             Self::Peer(error) => error.exit_code(),
             Self::Restless { .. } => ExitCode::Defect,
-            Self::NoMemory { .. } | Self::Output(_) => ExitCode::Environment,
+            Self::NoMemory { .. } | Self::NoCounter { .. } | Self::Output(_) => ExitCode::Environment,
         }
     }
 }

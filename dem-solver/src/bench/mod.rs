@@ -3,10 +3,12 @@
 mod command;
 mod drum;
 mod error;
+mod instructions;
 mod memory;
 mod scenes;
 mod settled;
 mod speed;
 mod table;
+mod traffic;
 
 pub use command::{Arguments, run};

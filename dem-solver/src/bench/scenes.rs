@@ -19,6 +19,10 @@ pub const GRAINS: &str = "grains.csv";
 /// How much the settled bed is dilated to be loose.
 pub const DILATION: f64 = 1.12;
 
+/// Largest bed that settles as a whole, and about the largest tower of a larger one.
+const LARGEST_BED: usize = 100_000;
+const LARGEST_TOWER: f64 = 40_000.0;
+
 /// Radius R \[m\].
 const RADIUS: f64 = 1e-3;
 /// Share of the gas that is solid.
@@ -96,8 +100,18 @@ impl BenchScene {
         if self == Self::Polydisperse { 2.5 * RADIUS } else { RADIUS }
     }
 
+    /// Towers along each side of a bed that is too large to settle as a whole in minutes: each settles as they all do.
+    pub fn towers(self, grains: usize) -> usize {
+        match self {
+            Self::Dense | Self::Polydisperse if grains > LARGEST_BED => {
+                (grains as f64 / LARGEST_TOWER).sqrt().ceil() as usize
+            }
+            _ => 1,
+        }
+    }
+
     /// Side of the box \[m\].
-    fn width(self, grains: usize) -> f64 {
+    pub fn width(self, grains: usize) -> f64 {
         let count = grains as f64;
         match self {
             Self::Dense => 1.95 * RADIUS * count.cbrt(),
@@ -108,12 +122,12 @@ impl BenchScene {
         }
     }
 
-    /// The grains before they settle; those of the loose scene are the dense one's.
-    pub fn start(self, count: usize) -> Vec<Grain<3>> {
+    /// The grains before they settle, in a box of this side \[m\]; those of the loose scene are the dense one's.
+    pub fn start(self, count: usize, width: f64) -> Vec<Grain<3>> {
         let mut random = Random::new(SEED);
         match self {
-            Self::Dense | Self::Loose | Self::Polydisperse => self.columns(count, &mut random),
-            Self::Gas => self.flying(count, &mut random),
+            Self::Dense | Self::Loose | Self::Polydisperse => self.columns(count, width, &mut random),
+            Self::Gas => self.flying(count, width, &mut random),
             Self::Drum => {
                 let drum = Drum::half_full(count, RADIUS);
                 let cells = (2.0 * drum.radius / (2.1 * RADIUS)) as usize;
@@ -126,9 +140,9 @@ impl BenchScene {
     }
 
     /// Grains in columns, 5 % of a diameter apart, each a little aside and on its way.
-    fn columns(self, count: usize, random: &mut Random) -> Vec<Grain<3>> {
+    fn columns(self, count: usize, width: f64, random: &mut Random) -> Vec<Grain<3>> {
         let pitch = 2.1 * self.largest_radius();
-        let per_side = ((self.width(count) / pitch) as usize).max(1);
+        let per_side = ((width / pitch) as usize).max(1);
         let mut tops = vec![0.0; per_side * per_side];
         let grains = (0..count).map(|k| {
             let radius = match self {
@@ -148,9 +162,9 @@ impl BenchScene {
     }
 
     /// Grains of one speed in all directions, each anywhere in a cell of its own.
-    fn flying(self, count: usize, random: &mut Random) -> Vec<Grain<3>> {
+    fn flying(self, count: usize, width: f64, random: &mut Random) -> Vec<Grain<3>> {
         let per_side = (count as f64).cbrt().ceil() as usize;
-        let pitch = self.width(count) / per_side as f64;
+        let pitch = width / per_side as f64;
         let grains = (0..count).map(|k| {
             let room = pitch - 2.05 * RADIUS;
             let centre = cell(k, per_side).map(|n| n * pitch + room * random.between(-0.5, 0.5));
@@ -162,9 +176,9 @@ impl BenchScene {
         grains.collect()
     }
 
-    /// The files of its case, but for the grains.
-    pub fn case(self, count: usize) -> Vec<File> {
-        let (word, width) = (self.word(), self.width(count));
+    /// The files of its case in a box of this side \[m\], but for the grains.
+    pub fn case(self, count: usize, width: f64) -> Vec<File> {
+        let word = self.word();
         let gravity = if self == Self::Gas { 0.0 } else { -9.81 };
         let run = f64::from(self.steps(count)) * STEP;
         // A rounding longer, lest the run get one step more.

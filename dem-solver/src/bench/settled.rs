@@ -56,7 +56,7 @@ impl Settled {
             fs::rename(&unfinished, folder.join(GRAINS))
                 .map_err(OutputError::system("rename", &unfinished))?;
         }
-        write_deck(&folder, &scene.case(count))?;
+        write_deck(&folder, &scene.case(count, scene.width(count)))?;
         Ok(Self { case: Case::load_run(&folder, &Overrides::default(), None)?, folder })
     }
 
@@ -74,11 +74,40 @@ fn settle(scene: BenchScene, count: usize, folder: &Path) -> Result<Vec<Grain<3>
     if scene == BenchScene::Loose {
         return Ok(thrown(&Settled::new(BenchScene::Dense, count)?.folder)?);
     }
-    let start = scene.start(count);
+    let (width, towers) = (scene.width(count), scene.towers(count));
+    if towers == 1 {
+        return come_to_rest(scene, scene.start(count, width), width, folder);
+    }
+    let (side, each) = (width / towers as f64, count.div_ceil(towers * towers));
+    let tower = come_to_rest(scene, scene.start(each, side), side, folder)?;
+    come_to_rest(scene, side_by_side(&tower, towers, side, count), width, folder)
+}
+
+/// So many copies of a tower of this side \[m\] along x and y, without the topmost grains beyond `count`. Grains that touched
+/// its walls touch each other at most.
+fn side_by_side(tower: &[Grain<3>], towers: usize, side: f64, count: usize) -> Vec<Grain<3>> {
+    let places = (0..towers * towers).map(|k| [k % towers, k / towers].map(|place| place as f64 * side));
+    let copies = places.flat_map(|[x, y]| {
+        let shift = Vector::from([x, y, 0.0]);
+        tower.iter().map(move |grain| Grain { centre: grain.centre + shift, ..*grain })
+    });
+    let mut grains: Vec<_> = copies.collect();
+    grains.sort_by(|a, b| a.centre.z.total_cmp(&b.centre.z));
+    grains.truncate(count);
+    grains
+}
+
+/// The grains of a scene in a box of this side \[m\] in the state to measure.
+fn come_to_rest(
+    scene: BenchScene,
+    start: Vec<Grain<3>>,
+    width: f64,
+    folder: &Path,
+) -> Result<Vec<Grain<3>>, BenchError> {
     if scene.settling() == Settling::Never {
         return Ok(start);
     }
-    write_deck(folder, &scene.case(count))?;
+    write_deck(folder, &scene.case(start.len(), width))?;
     write_deck(folder, &[File::new(GRAINS, table(&start))])?;
     let case = Case::load_run(folder, &Overrides::default(), None)?;
     let Setup { scene: surroundings, mut world, .. } = set_up::<3>(&case, None)?;
@@ -140,4 +169,23 @@ fn table(grains: &[Grain<3>]) -> String {
         let _ = writeln!(text, "{}", 2.0 * radius);
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn towers_that_fill_their_walls_stand_side_by_side_without_overlap() {
+        let corner = |x: f64, y: f64, z: f64| Grain::at([x, y, z], 1e-3);
+        let tower: Vec<_> =
+            [1e-3, 3e-3].into_iter().flat_map(|z| [corner(1e-3, 1e-3, z), corner(3e-3, 3e-3, z)]).collect();
+        let all = side_by_side(&tower, 3, 4e-3, 30);
+        assert_eq!(all.len(), 30);
+        assert!(all.iter().filter(|grain| grain.centre.z < 2e-3).count() == 18, "the topmost are left out");
+        for (k, one) in all.iter().enumerate() {
+            assert!(one.centre.x < 12e-3 && one.centre.y < 12e-3);
+            assert!(all[k + 1..].iter().all(|other| (other.centre - one.centre).norm() > 1.999e-3));
+        }
+    }
 }

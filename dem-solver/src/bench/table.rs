@@ -19,6 +19,10 @@ pub struct Row {
     pub threaded: Option<Vec<f64>>,
     /// Memory per grain \[B\], where there are enough of them to tell.
     pub bytes_per_grain: Option<f64>,
+    /// Bytes per grain that a step reads and writes \[B\].
+    pub traffic: f64,
+    /// Instructions per grain and step, where they are counted.
+    pub instructions: Option<f64>,
     /// Times of the steps of each peer \[s\]; nothing where it cannot compute the scene.
     pub peers: Vec<Option<Vec<f64>>>,
 }
@@ -35,7 +39,8 @@ pub struct Columns {
 impl Columns {
     /// Titles, as wide as the values below them.
     pub fn titles(&self) -> String {
-        let mut titles: Vec<String> = ["best", "median", "own core", "B/grain"].map(String::from).into();
+        let mut titles: Vec<String> =
+            ["best", "median", "own core", "B/grain", "B/step", "instr/step"].map(String::from).into();
         titles.extend((self.threads > 1).then(|| format!("{} threads", self.threads)));
         titles.extend(self.peers.iter().flat_map(|peer| [peer.to_string(), "ratio".into()]));
         let titles: Vec<String> = titles.iter().map(|title| format!("{title:>10}")).collect();
@@ -45,7 +50,7 @@ impl Columns {
     /// The titles of the csv file.
     pub fn csv_titles(&self) -> String {
         let mut titles = String::from(
-            "scene,grains,steps,lanes,best[1e6/s],median[1e6/s],wall-best[1e6/s],own-core[1],memory[B/grain]",
+            "scene,grains,steps,lanes,best[1e6/s],median[1e6/s],wall-best[1e6/s],own-core[1],memory[B/grain],traffic[B/step],instructions[1/step]",
         );
         if self.threads > 1 {
             titles += &format!(",speed-up-{}-threads[1]", self.threads);
@@ -100,6 +105,8 @@ impl Row {
         let nothing = || format!("{:>10}", "-");
         let mut cells = vec![cell(best, 1), cell(median, 1), cell(self.own_core(), 2)];
         cells.push(self.bytes_per_grain.map_or_else(nothing, |bytes| cell(bytes, 0)));
+        cells.push(cell(self.traffic, 0));
+        cells.push(self.instructions.map_or_else(nothing, |count| cell(count, 0)));
         cells.extend(self.speed_up().map(|ratio| cell(ratio, 2)));
         for peer in self.of_peers() {
             match peer {
@@ -117,6 +124,8 @@ impl Row {
         let numbers = [best, median, self.rate(self.best_wall()), self.own_core()];
         let mut cells: Vec<String> = numbers.iter().map(f64::to_string).collect();
         cells.push(self.bytes_per_grain.map(|bytes| bytes.to_string()).unwrap_or_default());
+        cells.push(self.traffic.to_string());
+        cells.push(self.instructions.map(|count| count.to_string()).unwrap_or_default());
         cells.extend(self.speed_up().map(|ratio| ratio.to_string()));
         for peer in self.of_peers() {
             cells.extend(peer.map_or_else(Default::default, |pair| pair.map(|number| number.to_string())));
@@ -144,10 +153,12 @@ mod tests {
             runs: vec![run(2.0), run(1.0), run(4.0)],
             threaded: Some(vec![1.0, 3.0]),
             bytes_per_grain: Some(400.0),
+            traffic: 900.0,
+            instructions: None,
             peers: vec![Some(vec![9.0, 8.0]), None],
         };
         let columns = Columns { threads: 2, peers: vec!["LIGGGHTS", "YADE"] };
-        assert_eq!(row.csv_line(), "dense,1000000,8,plain,8,4,4,0.5,400,2,1,4,,\n");
+        assert_eq!(row.csv_line(), "dense,1000000,8,plain,8,4,4,0.5,400,900,,2,1,4,,\n");
         assert_eq!(row.csv_line().matches(',').count(), columns.csv_titles().matches(',').count());
         assert_eq!(row.line().len(), columns.titles().len());
     }

@@ -28,6 +28,15 @@ pub struct Contact {
     pub force: Spin,
     /// b \[m\]: to the centre of the other grain, or to the point where the force of a wall or frozen grain acts.
     pub branch: Spin,
+    /// Distances from the two centres at which the force acts \[m\]; the second is that of `other`, 0 if there is none.
+    pub arms: [f64; 2],
+}
+
+impl Contact {
+    /// A contact with a wall or a frozen grain, whose force acts this far from the centre \[m\].
+    fn on_support(grain: usize, normal: Spin, (force, touches): (Spin, bool), arm: f64) -> Self {
+        Self { grain, other: None, normal, touches, force, branch: normal * arm, arms: [arm, 0.0] }
+    }
 }
 
 /// The contacts of the world in the order of the lists, with the force that the laws of the scene give them were all
@@ -82,18 +91,14 @@ fn between_grains<const D: usize, N: Normal<D>, T: Tangential>(
             continue;
         };
         let share = one.radius / reach;
+        let (arm_i, arm_j) = (N::arm(one.radius, overlap, share), N::arm(other.radius, overlap, 1.0 - share));
         found.extend(match (grains.motion[i].is_frozen(), grains.motion[j].is_frozen()) {
             (false, false) => {
-                Some(Contact { grain: i, other: Some(j), normal, touches, force, branch: separation })
+                let arms = [arm_i, arm_j];
+                Some(Contact { grain: i, other: Some(j), normal, touches, force, branch: separation, arms })
             }
-            (false, true) => {
-                let branch = normal * N::arm(one.radius, overlap, share);
-                Some(Contact { grain: i, other: None, normal, touches, force, branch })
-            }
-            (true, false) => {
-                let branch = -normal * N::arm(other.radius, overlap, 1.0 - share);
-                Some(Contact { grain: j, other: None, normal: -normal, touches, force: -force, branch })
-            }
+            (false, true) => Some(Contact::on_support(i, normal, (force, touches), arm_i)),
+            (true, false) => Some(Contact::on_support(j, -normal, (-force, touches), arm_j)),
             (true, true) => None,
         });
     }
@@ -153,9 +158,8 @@ fn on_wall<const D: usize, N: Normal<D>, T: Tangential>(
     let constants = extras_on_wall(scene, &world.grains, grain, material, coefficients);
     let bodies = Bodies::SphereAndWall(radius);
     let proximity = Proximity { bodies, distance: radius - overlap, overlap, travel: 0.0 };
-    let (force, touches) = at_rest::<D, N, T>(scene, coefficients, &constants, (normal, proximity), spring)?;
-    let branch = normal * N::arm(radius, overlap, 0.0);
-    Some(Contact { grain, other: None, normal, touches, force, branch })
+    let hold = at_rest::<D, N, T>(scene, coefficients, &constants, (normal, proximity), spring)?;
+    Some(Contact::on_support(grain, normal, hold, N::arm(radius, overlap, 0.0)))
 }
 
 /// The force of the laws at no velocity, after no time, and whether the bodies touch; nothing where nothing holds them.

@@ -18,6 +18,10 @@ mod walls;
 /// Centres nearer than this fraction of the sum of radii have no direction that a force could take.
 pub const COINCIDENT: f64 = 1e-9;
 
+/// Where two centres are nearer than this share of the larger radius, one lies inside the other body and the contact has
+/// broken down: a contact is as deep as the smaller radius at most, up to round-off.
+pub const NEAREST: f64 = 1.0 - 1e-9;
+
 pub use coefficients::{Coefficients, Growth};
 pub use energy::stored_energy;
 pub use extras::{ExtraConstants, Extras};

@@ -71,6 +71,12 @@ pub fn wall_forces<const D: usize, N: Normal<D>, T: Tangential>(
                 velocity -= embed(&pose.velocity_at(&point));
             }
             let closing = velocity.dot(&embed(&normal));
+            // Past a surface of two sides the centre would see the other side, as if nothing had been.
+            if distance < closing.max(0.0) * step {
+                let (grain, wall, depth) = (grains.id[row as usize], pressed.wall, overlap / place.radius);
+                let speed = velocity.norm();
+                scratch.fault.get_or_insert(Fault::ThroughWall { grain, wall, depth, speed });
+            }
             let proximity = Proximity { bodies, distance, overlap, travel: closing * step };
             let Hold { contact, indentation, attraction, felt } =
                 scene.extras.hold(&constants, &proximity, overlap > 0.0, &mut spring.bridge);

@@ -4,10 +4,11 @@ use rayon::prelude::*;
 
 use super::chunk::Chunk;
 use super::kernels::Kernels;
-use super::near_planes::Planes;
+use super::near_planes::{NearPlanes, Planes};
+use super::periods::Periods;
 use crate::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke, Normal};
 use crate::contact::tangential::{Coulomb, Frictionless, LiggghtsHistory, PartialSlip, Tangential};
-use crate::contact::{NormalLaw, wall_forces};
+use crate::contact::{COINCIDENT, NormalLaw, wall_forces};
 use crate::fault::Fault;
 use crate::grains::{AsRows, Grains};
 use crate::lanes::Row8;
@@ -54,16 +55,48 @@ pub fn forces<const D: usize>(
         }
         let slots = &mut loads.slots;
         on_walls_one_by_one(scene, grains, walls, chunk, (slots, scratch), step);
-        kernels.on_planes(chunk, loads);
+        if kernels.on_planes(chunk, loads)
+            && let Some(fault) = behind_plane(grains, planes, &chunk.planes)
+        {
+            scratch.fault.get_or_insert(fault);
+        }
         book(&mut loads.planes, planes, step, scratch);
         if let Some((i, j)) = kernels.between_grains(chunk, &mut loads.slots) {
-            let (one, other) = (grains.id[i as usize], grains.id[j as usize]);
-            scratch.fault.get_or_insert(Fault::Coincident { one, other });
+            scratch.fault.get_or_insert(too_deep(grains, periods, i as usize, j as usize));
         }
         if asleep {
             scratch.keep_wall_impulse();
         }
     });
+}
+
+/// The first grain whose centre is behind a plane.
+#[cold]
+fn behind_plane(grains: &Grains, planes: &Planes, near: &NearPlanes) -> Option<Fault> {
+    near.contacts().find_map(|(row, plane, _)| {
+        let (place, motion) = (&grains.place[row], &grains.motion[row]);
+        let depth = planes.overlap(plane, place) / place.radius;
+        let speed = motion.velocity.norm();
+        let grain = grains.id[row];
+        (depth > 1.0).then_some(Fault::ThroughWall { grain, wall: planes.wall[plane], depth, speed })
+    })
+}
+
+/// What is wrong with two grains of which one holds the centre of the other.
+#[cold]
+fn too_deep(grains: &Grains, periods: &Periods, i: usize, j: usize) -> Fault {
+    let (one, other) = (&grains.place[i], &grains.place[j]);
+    let overlap = periods.overlap(one, other);
+    if one.radius + other.radius - overlap <= COINCIDENT * (one.radius + other.radius) {
+        return Fault::Coincident { one: grains.id[i], other: grains.id[j] };
+    }
+    let (inner, outer) = if one.radius < other.radius { (i, j) } else { (j, i) };
+    Fault::TooDeep {
+        grain: grains.id[inner],
+        other: grains.id[outer],
+        depth: overlap / grains.place[inner].radius,
+        speed: (grains.motion[i].velocity - grains.motion[j].velocity).norm(),
+    }
 }
 
 /// Books what planes received in a step \[s\], and leaves it empty for the next.

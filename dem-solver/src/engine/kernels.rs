@@ -91,16 +91,15 @@ macro_rules! by_law {
 }
 
 impl Kernels<'_> {
-    /// Adds the forces of a chunk's pairs to its loads; finds two grains whose centres coincide, if any do.
+    /// Adds the forces of a chunk's pairs to its loads; finds two grains of which one holds the centre of the other, if any
+    /// do.
     pub fn between_grains(&self, chunk: &mut Chunk, loads: &mut [Row8]) -> Option<(u32, u32)> {
         by_law!(self.pairs_by_law(chunk, loads))
     }
 
-    /// Adds the forces of planes to a chunk's loads.
-    pub fn on_planes(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) {
-        if chunk.planes.count > 0 {
-            by_law!(self.planes_by_law(chunk, loads));
-        }
+    /// Adds the forces of planes to a chunk's loads; whether a centre is behind a plane.
+    pub fn on_planes(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) -> bool {
+        chunk.planes.count > 0 && by_law!(self.planes_by_law(chunk, loads))
     }
 
     fn pairs_by_law<N: Normal<3>, T: Tangential>(
@@ -145,16 +144,16 @@ impl Kernels<'_> {
         })
     }
 
-    fn planes_by_law<N: Normal<3>, T: Tangential>(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) {
+    fn planes_by_law<N: Normal<3>, T: Tangential>(&self, chunk: &mut Chunk, loads: &mut ChunkLoads) -> bool {
         let NearPlanes { blocks, springs, constants, extras, .. } = &mut chunk.planes;
         let Springs { forces, torques, bridges, twists, annuli } = springs;
         let springs = (forces.as_mut_slice(), annuli.as_mut_slice());
         let laws = self.extras;
         if laws.any() {
             let extras = ChosenExtras { laws, constants: extras, torques, bridges, twists };
-            self.planes::<N, T, _>(blocks, springs, constants, extras, loads);
+            self.planes::<N, T, _>(blocks, springs, constants, extras, loads)
         } else {
-            self.planes::<N, T, _>(blocks, springs, constants, NoExtras, loads);
+            self.planes::<N, T, _>(blocks, springs, constants, NoExtras, loads)
         }
     }
 
@@ -165,7 +164,7 @@ impl Kernels<'_> {
         constants: &[ConstantsBlock],
         extras: X,
         loads: &mut ChunkLoads,
-    ) {
+    ) -> bool {
         self.backend.run(PlaneForces::<N, T, X> {
             places: self.places,
             motions: self.motions,
@@ -179,6 +178,6 @@ impl Kernels<'_> {
             reactions: &mut loads.planes,
             step: self.step,
             laws: PhantomData,
-        });
+        })
     }
 }

@@ -43,3 +43,60 @@ impl Levels {
         self.0.iter()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::grains::Grain;
+    use crate::insertion::Random;
+
+    const SIDE: f64 = 0.05;
+    const SKIN: f64 = 1e-4;
+
+    /// Grains at random in a box, of these radii \[m\] with a fifth of its volume shared evenly among them.
+    fn cloud(radii: &[f64]) -> Grains {
+        let (mut random, mut grains) = (Random::new(2), Grains::new());
+        for &radius in radii {
+            let count = 0.2 / radii.len() as f64 * SIDE.powi(3) / crate::grains::volume::<3>(radius, 1.0);
+            for _ in 0..count.ceil() as usize {
+                let at = [(); 3].map(|()| random.between(0.0, SIDE));
+                grains.push(grains.len() as u64, &Grain::<3>::at(at, radius), 1.0, false);
+            }
+        }
+        grains
+    }
+
+    /// Grains that each grain is held against, and how many of them are near.
+    fn tested(grains: &Grains, periods: &Periods) -> (f64, Vec<usize>) {
+        let levels = Levels::new(grains, periods, SKIN);
+        let (mut tested, mut runs, mut near) = (0, vec![], vec![]);
+        for place in &grains.place {
+            let mut of_place = 0;
+            for Level { largest, grid } in levels.iter() {
+                grid.around(place, place.radius + largest + SKIN, &mut runs);
+                for row in runs.iter().flat_map(|&(begin, end)| &grid.order[begin as usize..end as usize]) {
+                    tested += 1;
+                    of_place += usize::from(periods.overlap(place, &grains.place[*row as usize]) > -SKIN);
+                }
+            }
+            near.push(of_place);
+        }
+        (tested as f64 / grains.len() as f64, near)
+    }
+
+    #[test]
+    fn a_range_of_one_to_twenty_in_size_is_found_whole_and_at_the_cost_of_one_size() {
+        let domain = Domain::<3>::new([0.0; 3], [SIDE; 3]).periodic([true, true, false]);
+        let periods = Periods::new(&domain);
+        let mixed = cloud(&[8e-3, 4e-3, 2e-3, 1e-3, 0.4e-3]);
+        let (cost, near) = tested(&mixed, &periods);
+        // Each pair of two, by brute force; of the small ones every tenth.
+        for k in (0..mixed.len()).filter(|k| mixed.place[*k].radius > 1e-3 || k % 10 == 0) {
+            let near_k = |other: &&crate::grains::Place| periods.overlap(&mixed.place[k], other) > -SKIN;
+            assert_eq!(mixed.place.iter().filter(near_k).count(), near[k], "grain {k}");
+        }
+        let (of_one_size, _) = tested(&cloud(&[1e-3]), &periods);
+        assert!(cost < 3.0 * of_one_size, "{cost} pairs tested per grain, {of_one_size} of one size");
+    }
+}

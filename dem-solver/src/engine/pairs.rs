@@ -10,10 +10,10 @@ use crate::contact::cohesion::{Bodies, Hold, Proximity};
 use crate::contact::normal::Normal;
 use crate::contact::rolling::Rolling;
 use crate::contact::tangential::{Annuli, Spring, Tangential};
-use crate::contact::{COINCIDENT, Response, Touch, touch_force};
+use crate::contact::{NEAREST, Response, Touch, touch_force};
 use crate::lanes::{Kernel, Row4, Row8, RowLanes, Vec3};
 
-/// Adds the forces of a chunk's pairs to its loads; finds two grains whose centres coincide, if any do.
+/// Adds the forces of a chunk's pairs to its loads; finds two grains of which one holds the centre of the other, if any do.
 pub struct PairForces<'a, N, T, C, X> {
     /// Places of all grains.
     pub places: &'a [Row4],
@@ -50,16 +50,16 @@ where
 
     #[inline(always)]
     fn run<L: RowLanes>(mut self) -> Option<(u32, u32)> {
-        let mut coincident = None;
+        let mut too_deep = None;
         for block in 0..self.blocks.len() {
             for lane in (0..WIDTH).step_by(L::WIDTH) {
                 // SAFETY: the rows of a block are rows of the grains, its slots are slots of the chunk's loads:
                 // both are made by the refresh of the inner list.
                 let found = unsafe { self.lanes::<L>(block, lane) };
-                coincident = coincident.or(found);
+                too_deep = too_deep.or(found);
             }
         }
-        coincident
+        too_deep
     }
 }
 
@@ -79,17 +79,17 @@ where
         let (radius_i, radius_j) = self.constants.radii::<L>(block, lane);
         let reach = radius_i + radius_j;
         let squared = separation.norm_squared();
-        let nearest = reach * L::splat(COINCIDENT);
-        let distinct = (nearest * nearest).less(squared);
-        let touching = L::both(squared.less(reach * reach), distinct);
-        let coincident = if L::bits(distinct).count_ones() as usize == L::WIDTH {
+        let nearest = radius_i.max(radius_j) * L::splat(NEAREST);
+        let apart = (nearest * nearest).less(squared);
+        let touching = L::both(squared.less(reach * reach), apart);
+        let too_deep = if L::bits(apart).count_ones() as usize == L::WIDTH {
             None
         } else {
-            first_coincident(L::bits(distinct), &i[..L::WIDTH], &j[..L::WIDTH])
+            first_too_deep(L::bits(apart), &i[..L::WIDTH], &j[..L::WIDTH])
         };
         let near = if X::ANY {
             let within = reach + self.extras.reach::<L>((block, lane));
-            L::both(squared.less(within * within), distinct)
+            L::both(squared.less(within * within), apart)
         } else {
             touching
         };
@@ -101,7 +101,7 @@ where
                 self.annuli[block].relax::<L>(lane);
             }
             self.extras.relax::<L>((block, lane));
-            return coincident;
+            return too_deep;
         }
         let distance = squared.sqrt();
         let normal = separation * (L::splat(1.0) / distance);
@@ -165,16 +165,16 @@ where
                 L::add_unequal8(self.loads, slot_i, slot_j, force, torque_i, torque_j);
             }
         }
-        coincident
+        too_deep
     }
 }
 
 /// Two distinct grains among the lanes that are not marked.
 #[cold]
-fn first_coincident(distinct: u32, i: &[u32], j: &[u32]) -> Option<(u32, u32)> {
+fn first_too_deep(apart: u32, i: &[u32], j: &[u32]) -> Option<(u32, u32)> {
     i.iter()
         .zip(j)
         .enumerate()
-        .find(|(k, (i, j))| distinct & (1 << k) == 0 && i != j)
+        .find(|(k, (i, j))| apart & (1 << k) == 0 && i != j)
         .map(|(_, (&i, &j))| (i, j))
 }

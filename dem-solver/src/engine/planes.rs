@@ -11,7 +11,8 @@ use crate::contact::tangential::{Annuli, Spring, Tangential};
 use crate::contact::{Response, Touch, touch_force};
 use crate::lanes::{Kernel, Row4, Row8, RowLanes, Vec3};
 
-/// Adds the forces of planes on a chunk's grains to its loads, and their reactions to the planes'.
+/// Adds the forces of planes on a chunk's grains to its loads, and their reactions to the planes'; tells whether a centre is
+/// behind a plane.
 pub struct PlaneForces<'a, N, T, X> {
     /// Places of all grains.
     pub places: &'a [Row4],
@@ -40,22 +41,24 @@ pub struct PlaneForces<'a, N, T, X> {
 }
 
 impl<N: Normal<3>, T: Tangential, X: ExtraForces> Kernel for PlaneForces<'_, N, T, X> {
-    type Output = ();
+    type Output = bool;
 
     #[inline(always)]
-    fn run<L: RowLanes>(mut self) {
+    fn run<L: RowLanes>(mut self) -> bool {
+        let mut behind = false;
         for block in 0..self.blocks.len() {
             for lane in (0..WIDTH).step_by(L::WIDTH) {
                 // SAFETY: blocks hold rows of grains, slots of the chunk and rows of the table of planes.
-                unsafe { self.lanes::<L>(block, lane) }
+                behind |= unsafe { self.lanes::<L>(block, lane) };
             }
         }
+        behind
     }
 }
 
 impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
     #[inline(always)]
-    unsafe fn lanes<L: RowLanes>(&mut self, block: usize, lane: usize) {
+    unsafe fn lanes<L: RowLanes>(&mut self, block: usize, lane: usize) -> bool {
         let PlaneBlock { grain, slot, plane } = &self.blocks[block];
         let (grain, slot, plane) = (&grain[lane..], &slot[lane..], &plane[lane..]);
         let [x, y, z, radius] = unsafe { L::columns4(self.places, grain) };
@@ -74,7 +77,7 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
                 self.annuli[block].relax::<L>(lane);
             }
             self.extras.relax::<L>((block, lane));
-            return;
+            return false;
         }
         let bodies = Bodies::SphereAndWall(radius);
         let [velocity, spin] = unsafe { L::columns8(self.motions, grain) };
@@ -124,5 +127,6 @@ impl<N: Normal<3>, T: Tangential, X: ExtraForces> PlaneForces<'_, N, T, X> {
             L::add8(self.loads, slot, force, torque);
             L::add8(self.reactions, plane, -force, reaction);
         }
+        L::any(distance.less(L::splat(0.0)))
     }
 }

@@ -22,6 +22,6 @@ pub use overlap::{Overlap, Partner, overlaps};
 pub use random::Random;
 pub use random_fill::{Amount, RandomFill};
 pub use rate::{Feed, Flow};
-pub use region::{BoxRegion, CylinderRegion, Region, Space, SphereRegion};
+pub use region::{BoxRegion, CylinderRegion, Region, Space, SphereRegion, SurfaceRegion};
 pub use sieve::read_sieve;
 pub use sizes::{Class, Classes, Distribution, Lognormal, Normal, Sizes, Uniform};

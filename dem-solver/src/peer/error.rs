@@ -44,6 +44,22 @@ pub enum PeerError {
         /// How to install it.
         install: &'static str,
     },
+    /// The peer is there, but does not start or does not tell its version.
+    #[error(
+        "{peer}: {executable} tells no version, it says \"{said}\"; allowed: {wanted}; install that one, {install}, or name it with --program PATH"
+    )]
+    NoVersion {
+        /// Name of the peer.
+        peer: &'static str,
+        /// What was asked.
+        executable: String,
+        /// What it said first.
+        said: String,
+        /// The version that is known.
+        wanted: &'static str,
+        /// How to install it.
+        install: &'static str,
+    },
     /// The peer gave up.
     #[error("{peer} failed ({how}): {tail}; all of it is in {}", log.display())]
     Failed {
@@ -112,6 +128,7 @@ impl PeerError {
             Self::Dem(error) => error.exit_code(),
             Self::NotInstalled { .. }
             | Self::OtherVersion { .. }
+            | Self::NoVersion { .. }
             | Self::Failed { .. }
             | Self::BadResult { .. }
             | Self::NoCoupler { .. }

@@ -45,16 +45,22 @@ impl Installed {
         let said = [answer.stdout, answer.stderr].concat();
         let said = String::from_utf8_lossy(&said);
         let version = said.split_once(before).and_then(|(_, rest)| rest.split(behind).next()).map(str::trim);
-        if version == Some(peer.version()) {
-            return Ok(Self { peer, executable });
+        let (name, wanted, install) = (peer.name(), peer.version(), peer.install());
+        match version {
+            Some(version) if version == wanted => Ok(Self { peer, executable }),
+            Some(found) => Err(PeerError::OtherVersion {
+                peer: name,
+                executable: shown,
+                found: found.to_string(),
+                wanted,
+                install,
+            }),
+            // A library that it needs is missing, or it is another program of this name.
+            None => {
+                let said = said.lines().find(|line| !line.trim().is_empty()).unwrap_or_default().to_string();
+                Err(PeerError::NoVersion { peer: name, executable: shown, said, wanted, install })
+            }
         }
-        Err(PeerError::OtherVersion {
-            peer: peer.name(),
-            executable: shown,
-            found: version.or(said.lines().next()).unwrap_or_default().to_string(),
-            wanted: peer.version(),
-            install: peer.install(),
-        })
     }
 
     /// Runs the deck in its folder to the end; wall time \[s\].

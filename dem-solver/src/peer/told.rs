@@ -28,6 +28,7 @@ const TOLD: [(&str, &[&str]); 9] = [
             "random-box",
             "random-sphere",
             "random-cylinder",
+            "random-stl",
             "file",
         ],
     ),

@@ -43,8 +43,8 @@ pub fn insert<const D: usize>(case: &Case, scene: &Scene<D>) -> Result<(World<D>
                     (Some(count), _) => Amount::Count(count as usize),
                     (None, fraction) => Amount::SolidFraction(fraction.unwrap_or_default()),
                 };
-                let fill = RandomFill { region: region(stated.region), amount };
                 let key = format!("insertion[{index}].{}", stated.key);
+                let fill = RandomFill { region: region(case, &key, stated.region)?, amount };
                 fill.insert(scene, &mut world, &batch, &mut random)
                     .map_err(|error| refused_at(case, &key, error))?;
             }
@@ -99,7 +99,7 @@ fn feed<const D: usize>(
     };
     Ok(Feed {
         batch,
-        region: region(stated),
+        region: region(case, &format!("insertion[{index}].rate.stl"), stated)?,
         flow,
         start: rate.start.map_or(0.0, |start| start.si()),
         stop: rate.stop.unwrap_or(case.document.time.end).si(),

@@ -1,12 +1,22 @@
 //! Regions of a case.
 
-use case_io::document;
+use case_io::document::{self, Case};
 
-use crate::insertion::{BoxRegion, CylinderRegion, Region, SphereRegion};
+use super::at_key;
+use crate::error::DemError;
+use crate::insertion::{BoxRegion, CylinderRegion, Region, SphereRegion, SurfaceRegion};
+use crate::wall::triangles::{Format, read_closed};
 
-/// The region that a table states.
-pub fn region<const D: usize>(stated: document::Region) -> Region<D> {
-    match stated {
+/// The region that the table at `key` states.
+///
+/// # Errors
+/// A file that is no closed surface.
+pub fn region<const D: usize>(
+    case: &Case,
+    key: &str,
+    stated: document::Region,
+) -> Result<Region<D>, DemError> {
+    Ok(match stated {
         document::Region::Box(lower, upper) => {
             Region::Box(BoxRegion { lower: lower.to_array().into(), upper: upper.to_array().into() })
         }
@@ -18,5 +28,12 @@ pub fn region<const D: usize>(stated: document::Region) -> Region<D> {
             end: to.to_array().into(),
             radius: radius.si(),
         }),
-    }
+        document::Region::Stl(path, scale) => {
+            let key = format!("{key}.path");
+            let facets = read_closed(&case.folder.join(path), Format::Stl, scale)
+                .map_err(|error| at_key(case, &key, error))?;
+            let region = SurfaceRegion::new(facets);
+            Region::Surface(region.ok_or_else(|| case.error(&key, "holds no triangle", "", ""))?)
+        }
+    })
 }

@@ -60,7 +60,7 @@ pub fn scene<const D: usize>(
         gravity: Vector::from(document.case.gravity.to_array()),
         depth,
         walls: walls(case, mesh)?,
-        deletions: deletions(case),
+        deletions: deletions(case)?,
         ..Scene::new(materials(case, normal_law != NormalLaw::None)?, normal_law)
             .with_extras(extras(grains))
             .with_bond_laws(laws(case))

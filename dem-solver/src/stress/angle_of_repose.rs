@@ -7,11 +7,14 @@ use crate::error::DemError;
 use crate::grains::Grain;
 use crate::insertion::Random;
 
+/// Mean radius of the grains \[m\].
 const RADIUS: f64 = 1e-3;
-/// Height and radius of the cone of loose grains that slumps, over the radius of a grain.
-const CONE: f64 = 20.0;
-/// Distance of the grains in it at the start, over their radius.
-const SPACING: f64 = 2.05;
+/// Their radii differ from it by up to this share: like spheres on a lattice build crystals, which stand without friction.
+const SPREAD: f64 = 0.2;
+/// Height and radius of the cone of loose grains that slumps, over the mean radius.
+const CONE: f64 = 24.0;
+/// Distance of the grains in it at the start, over the mean radius.
+const SPACING: f64 = 2.45;
 /// Frozen grains along the sides of the rough floor.
 const FLOOR: u32 = 60;
 /// Time in which the heap comes to rest \[s\].
@@ -50,7 +53,7 @@ fn angle(friction: f64) -> Result<f64, DemError> {
         values.sort_by(f64::total_cmp);
         values[values.len() / 2]
     };
-    // In the floor's hollows centres are at (√2 - 1) r, and the lowest layer begins half a layer, r/√2, below.
+    // In the hollows of a regular floor centres are at (√2 - 1) r, and the lowest layer begins half a layer, r/√2, below.
     let base = (2.0_f64.sqrt() - 1.0 - 0.5_f64.sqrt()) * RADIUS;
     let height = centres.iter().map(|c| c.z - base).sum::<f64>() / centres.len() as f64;
     let axis = [0, 1].map(|k| median(centres.iter().map(|c| c[k]).collect()));
@@ -58,21 +61,25 @@ fn angle(friction: f64) -> Result<f64, DemError> {
     Ok((4.0 * height / (2.0 * distance)).atan().to_degrees())
 }
 
-/// A floor of frozen grains, and a loose cone in its middle.
+/// A floor of frozen grains without order, and a loose cone in its middle.
 fn cone() -> Vec<Grain<3>> {
     let mut random = Random::new(4);
+    let radius = |random: &mut Random| RADIUS * random.between(1.0 - SPREAD, 1.0 + SPREAD);
     let along = |index: u32, count: u32| f64::from(index) - 0.5 * f64::from(count - 1);
-    let floor = |k: u32| {
-        let [x, y] = [k % FLOOR, k / FLOOR].map(|index| along(index, FLOOR) * 2.0 * RADIUS);
-        Grain::at([x, y, -RADIUS], RADIUS).frozen()
-    };
-    let mut grains: Vec<_> = (0..FLOOR * FLOOR).map(floor).collect();
+    let mut grains = Vec::new();
+    for k in 0..FLOOR * FLOOR {
+        let [x, y] = [k % FLOOR, k / FLOOR]
+            .map(|index| along(index, FLOOR) * 2.0 * RADIUS + RADIUS * random.between(-0.5, 0.5));
+        let radius = radius(&mut random);
+        grains.push(Grain::at([x, y, -radius], radius).frozen());
+    }
     let (layers, side) = ((CONE / SPACING) as u32, (2.0 * CONE / SPACING) as u32);
     for k in 0..side * side * layers {
         let [x, y] = [k % side, k / side % side].map(|index| along(index, side) * SPACING);
-        let z = 1.1 + f64::from(k / (side * side)) * SPACING;
+        let z = 1.3 + f64::from(k / (side * side)) * SPACING;
         if x.hypot(y) + z <= CONE {
-            grains.push(Grain::at([x, y, z].map(|at| (at + random.between(-0.02, 0.02)) * RADIUS), RADIUS));
+            let at = [x, y, z].map(|at| (at + random.between(-0.02, 0.02)) * RADIUS);
+            grains.push(Grain::at(at, radius(&mut random)));
         }
     }
     grains

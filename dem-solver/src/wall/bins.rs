@@ -50,12 +50,16 @@ impl<const D: usize> Bins<D> {
     }
 
     /// Visits the facets of all bins that meet the box of half width `reach` around `centre`, some more than once.
-    pub fn visit(&self, centre: &Vector<D>, reach: f64, mut visit: impl FnMut(u32)) {
-        let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
+    pub fn visit(&self, centre: &Vector<D>, reach: f64, visit: impl FnMut(u32)) {
+        self.visit_box(&centre.add_scalar(-reach), &centre.add_scalar(reach), visit);
+    }
+
+    /// Visits the facets of all bins that meet a box, some more than once.
+    pub fn visit_box(&self, low: &Vector<D>, high: &Vector<D>, mut visit: impl FnMut(u32)) {
         if (0..D).any(|axis| high[axis] < self.lower[axis] || low[axis] > self.upper[axis]) {
             return;
         }
-        self.each(&low, &high, |bin| {
+        self.each(low, high, |bin| {
             self.facets[self.start[bin] as usize..self.start[bin + 1] as usize]
                 .iter()
                 .for_each(|&facet| visit(facet));

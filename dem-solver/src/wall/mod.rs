@@ -9,8 +9,7 @@ mod shape;
 pub mod triangles;
 
 use crate::vector::Vector;
-use bins::Bins;
-
+pub use bins::Bins;
 pub use impulse::{Received, WallImpulse};
 pub use motion::{Motion, Pose, Table, TableRow};
 pub use poses::Poses;

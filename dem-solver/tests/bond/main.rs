@@ -8,4 +8,6 @@ mod conservation;
 mod formulas;
 mod in_the_step;
 mod rigid_motion;
+mod setting_up;
 mod stable_step;
+mod surroundings;

@@ -7,7 +7,7 @@ use dem_solver::lanes::Vec3;
 use dem_solver::wall::Shape;
 use dem_solver::{Grains, Scene, Vector, Workspace, World, window};
 
-use super::scenes::{HERTZ, HOOKE, PARTIAL_SLIP, STEP, boxed, periodic};
+use super::scenes::{HERTZ, HOOKE, PARTIAL_SLIP, STEP, boxed, one_to_twenty, periodic};
 
 const STEPS: u32 = 150;
 
@@ -169,6 +169,11 @@ fn like_grains_in_a_box_move_as_the_reference_says() {
 fn mixed_and_frozen_grains_in_a_box_move_as_the_reference_says() {
     check::<Hertz, Coulomb>(boxed(3, true, HERTZ, 0.5), 1e-11);
     check::<Hertz, PartialSlip>(boxed(3, true, PARTIAL_SLIP, 0.5), 1e-11);
+}
+
+#[test]
+fn grains_of_one_to_twenty_in_size_move_as_the_reference_says() {
+    check::<Hertz, Coulomb>(one_to_twenty(), 1e-11);
 }
 
 #[test]

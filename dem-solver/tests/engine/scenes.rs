@@ -2,10 +2,11 @@
 
 use dem_solver::contact::cohesion::CohesionLaw;
 use dem_solver::contact::lubrication::Lubrication;
-use dem_solver::contact::normal::{Hertz, Hooke};
+use dem_solver::contact::normal::{Hertz, Hooke, LiggghtsHertz, LiggghtsHooke};
 use dem_solver::contact::rolling::RollingLaw;
 use dem_solver::contact::twisting::TwistingLaw;
 use dem_solver::contact::{Extras, NormalLaw};
+use dem_solver::insertion::Random;
 use dem_solver::wall::{Wall, Walls};
 use dem_solver::{Domain, Grain, Material, Materials, Scene, World};
 
@@ -15,6 +16,9 @@ const RADIUS: f64 = 1e-3;
 pub const HERTZ: NormalLaw = NormalLaw::Hertz(Hertz { depth: 1.0 });
 pub const PARTIAL_SLIP: NormalLaw = NormalLaw::HertzPartialSlip(Hertz { depth: 1.0 });
 pub const HOOKE: NormalLaw = NormalLaw::Hooke(Hooke { characteristic_velocity: 1.0, depth: 1.0 });
+pub const LIGGGHTS_HERTZ: NormalLaw = NormalLaw::LiggghtsHertz(LiggghtsHertz);
+pub const LIGGGHTS_HOOKE: NormalLaw =
+    NormalLaw::LiggghtsHooke(LiggghtsHooke { characteristic_velocity: 1.0 });
 
 fn materials(friction: f64) -> Materials {
     let soft = Material { density: 2500.0, youngs_modulus: 5e6, poissons_ratio: 0.3 };
@@ -43,7 +47,7 @@ fn heap(layers: usize, mixed: bool) -> Vec<Grain<3>> {
     (0..100 * layers).map(grain).collect()
 }
 
-fn placed(scene: &Scene<3>, grains: Vec<Grain<3>>) -> World<3> {
+fn placed<const D: usize>(scene: &Scene<D>, grains: Vec<Grain<D>>) -> World<D> {
     let mut world = World::new();
     grains.iter().for_each(|grain| world.add(scene, grain));
     world
@@ -75,16 +79,20 @@ pub fn periodic(layers: usize, mixed: bool) -> (Scene<3>, World<3>) {
     (scene, world)
 }
 
-/// The heap in a box, cohesive and hard to roll.
-pub fn sticky(layers: usize, mixed: bool) -> (Scene<3>, World<3>) {
-    let (mut scene, world) = boxed(layers, mixed, HERTZ, 0.5);
+/// The heap in a box, cohesive and hard to roll by these laws.
+pub fn sticky(
+    layers: usize,
+    mixed: bool,
+    law: NormalLaw,
+    (rolling, cohesion): (RollingLaw, CohesionLaw),
+) -> (Scene<3>, World<3>) {
+    let (mut scene, world) = boxed(layers, mixed, law, 0.5);
     scene.materials = scene.materials.with(|a, b, pair| {
         pair.rolling_friction = 0.05 + 0.02 * (a + b) as f64;
         pair.rolling_damping_ratio = 0.3;
         pair.cohesion_energy_density = 2e4;
     });
-    scene.extras =
-        Extras { rolling: Some(RollingLaw::Epsd), cohesion: Some(CohesionLaw::Sjkr), ..Extras::default() };
+    scene.extras = Extras { rolling: Some(rolling), cohesion: Some(cohesion), ..Extras::default() };
     (scene, world)
 }
 
@@ -104,5 +112,59 @@ pub fn adhesive(layers: usize, law: CohesionLaw, friction: f64) -> (Scene<3>, Wo
         lubrication: Some(film),
         ..Extras::default()
     };
+    (scene, world)
+}
+
+/// Discs of two sizes and materials between three lines, that move and spin about.
+pub fn discs(law: NormalLaw, friction: f64) -> (Scene<2>, World<2>) {
+    let far = 60.0 * RADIUS;
+    let wall = |name, point, normal| Wall::plane(name, 0, point, normal);
+    let walls = Walls::new(vec![
+        wall("floor", [0.0; 2], [0.0, 1.0]),
+        wall("west", [0.0; 2], [1.0, 0.0]),
+        wall("east", [far, 0.0], [-1.0, 0.0]),
+    ]);
+    let scene = Scene::new(materials(friction), law).with_gravity([0.0, -9.81]).with_walls(walls);
+    let disc = |k: usize| {
+        let odd = k % 7 == 3;
+        let at = [k % 30, k / 30].map(|n| (1.98 * n as f64 + 1.0) * RADIUS);
+        let speed = |c: usize| 0.4 * (scattered(7 * k + c) - 0.5);
+        let mut disc = Grain::at(at, if odd { 0.7 * RADIUS } else { RADIUS })
+            .moving([speed(0), speed(1)])
+            .spinning([0.0, 0.0, 300.0 * speed(2)]);
+        disc.material = u32::from(odd);
+        disc
+    };
+    let world = placed(&scene, (0..600).map(disc).collect());
+    (scene, world)
+}
+
+/// Spheres of 0.25 to 5 mm that fly about in a periodic box, a few of each size touching.
+pub fn one_to_twenty() -> (Scene<3>, World<3>) {
+    const SIDE: f64 = 25e-3;
+    let domain = Domain::new([0.0; 3], [SIDE; 3]).periodic([true; 3]);
+    let scene = Scene::new(materials(0.5), HERTZ).in_domain(domain);
+    let mut random = Random::new(6);
+    let mut grains: Vec<Grain<3>> = Vec::new();
+    for (count, radius) in [(4, 5e-3), (16, 2.5e-3), (80, 1e-3), (400, 0.25e-3)] {
+        let all = grains.len() + count;
+        while grains.len() < all {
+            let at = [(); 3].map(|()| random.between(0.0, SIDE));
+            let free = grains.iter().all(|other| {
+                let apart = [0, 1, 2].map(|axis| {
+                    let d = at[axis] - other.centre[axis];
+                    d - SIDE * (d / SIDE).round()
+                });
+                apart.map(|d| d * d).iter().sum::<f64>().sqrt() > 0.995 * (radius + other.radius)
+            });
+            if free {
+                let velocity = [(); 3].map(|()| random.between(-2.0, 2.0));
+                let spin = [(); 3].map(|()| random.between(-200.0, 200.0));
+                let grain = Grain::at(at, radius).moving(velocity).spinning(spin);
+                grains.push(Grain { material: (grains.len() % 2) as u32, ..grain });
+            }
+        }
+    }
+    let world = placed(&scene, grains);
     (scene, world)
 }

@@ -98,7 +98,7 @@ fn round_regions_are_filled_to_their_solid_fraction_and_nothing_sticks_out() {
     let ball = Region::Sphere(SphereRegion { centre: lower, radius: 1e-2 });
     for region in [rod, ball] {
         let mut world = World::new();
-        let fill = RandomFill { region, amount: Amount::SolidFraction(0.2) };
+        let fill = RandomFill { region: region.clone(), amount: Amount::SolidFraction(0.2) };
         let sizes = Sizes::Uniform(Uniform { smallest: 3e-4, largest: 9e-4 });
         fill.insert(&scene, &mut world, &Batch { sizes, ..batch(1e-3) }, &mut Random::new(8)).unwrap();
         let solid: f64 = world.grains.place.iter().map(|place| volume::<3>(place.radius, 1.0)).sum();

@@ -1,7 +1,8 @@
 use crate::scenes::{floor, glass, hertz, hooke, run, world};
+use dem_solver::wall::{Cylinder, Disc, Facet, Shape, Side, Wall, Walls};
 use dem_solver::{
-    Binding, DemError, Domain, Escape, Fault, Grain, Scene, Substep, World, critical_time_step, substeps,
-    turn_over,
+    Binding, DemError, Domain, Escape, Fault, Grain, Scene, Substep, Vector, World, critical_time_step,
+    substeps, turn_over,
 };
 
 fn fault(error: DemError) -> Fault {
@@ -99,6 +100,57 @@ fn coincident_centres_are_found() {
     let mut twins = world(&scene, &[Grain::at([0.0, 0.0, 1.0], 1e-3), Grain::at([0.0, 0.0, 1.0], 2e-3)]);
     let error = run(&scene, &mut twins, 1e-6, 1).unwrap_err();
     assert_eq!(fault(error), Fault::Coincident { one: 0, other: 1 });
+}
+
+#[test]
+fn a_centre_inside_another_grain_is_found() {
+    let scene = Scene::<3>::new(glass(0.9, 0.3), hertz());
+    // The large one reaches 1e-5 m beyond the small one's centre, or not.
+    let at = |distance: f64| [Grain::at([0.0; 3], 5e-3), Grain::at([distance, 0.0, 0.0], 1e-3)];
+    run(&scene, &mut world(&scene, &at(5.01e-3)), 1e-9, 1).unwrap();
+    let error = run(&scene, &mut world(&scene, &at(4.99e-3)), 1e-9, 1).unwrap_err();
+    let Fault::TooDeep { grain: 1, other: 0, depth, .. } = fault(error) else {
+        panic!("the small one is named")
+    };
+    assert!((depth - 1.01).abs() < 1e-9);
+    // Frozen ones bear it.
+    let frozen = at(4.99e-3).map(Grain::frozen);
+    run(&scene, &mut world(&scene, &frozen), 1e-9, 1).unwrap();
+}
+
+#[test]
+fn a_contact_too_soft_for_the_impact_stops_the_run_before_the_wall_is_passed() {
+    let facet = Facet::new([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]]);
+    let disc = Disc { centre: Vector::zeros(), axis: Vector::z(), radius: 1.0 };
+    let shell = Cylinder { point: Vector::zeros(), axis: Vector::x(), radius: 0.1, side: Side::Inside };
+    let upright = |wall| (wall, [0.0, 0.0, 1.5e-3]);
+    let walls = [
+        upright(Wall::plane("plane", 0, [0.0; 3], [0.0, 0.0, 1.0])),
+        upright(Wall::facets("triangle", 0, vec![facet])),
+        upright(Wall::new("disc", 0, vec![Shape::Disc(disc)])),
+        (Wall::new("cylinder", 0, vec![Shape::Cylinder(shell)]), [0.0, 0.0, -0.0985]),
+    ];
+    for (wall, at) in walls {
+        let name = wall.name.clone();
+        let scene = Scene::<3>::new(glass(0.9, 0.3), hooke()).with_walls(Walls::new(vec![wall]));
+        let mut world = world(&scene, &[Grain::at(at, 1e-3).moving([0.0, 0.0, -100.0])]);
+        // A tenth of the radius in a step.
+        let error = (0..100).find_map(|_| run(&scene, &mut world, 1e-5, 10).err()).expect(&name);
+        let told = error.to_string();
+        let Fault::ThroughWall { grain: 0, wall: 0, depth, speed } = fault(error) else {
+            panic!("{name}: {told}")
+        };
+        assert!(depth > 0.8 && depth < 1.2 && speed > 10.0 && speed < 100.0, "{name}: {told}");
+        assert!(
+            told.contains("its centre goes through wall 0") && told.ends_with("insert grains apart"),
+            "{told}"
+        );
+        // At a hundredth of the speed it bounces.
+        let mut slow = World::new();
+        slow.add(&scene, &Grain::at(at, 1e-3).moving([0.0, 0.0, -1.0]));
+        (0..30).for_each(|_| drop(run(&scene, &mut slow, 1e-4, 100).unwrap()));
+        assert!(slow.grains.motion[0].velocity.z > 0.8, "{name}: {}", slow.grains.motion[0].velocity.z);
+    }
 }
 
 #[test]

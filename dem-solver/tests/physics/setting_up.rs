@@ -215,6 +215,66 @@ fn every_shape_of_wall_motion_region_and_size_is_set_up() {
     assert_eq!(scene.deletions.len(), 2);
 }
 
+/// A box from 0 to 10 with every face of two triangles that face outwards, as an STL file; `without` so many of the last.
+fn stl_box(without: usize) -> String {
+    let mut text = String::from("solid box\n");
+    for k in 0..12 - without {
+        let (axis, side, half) = (k / 4, k / 2 % 2, k % 2);
+        let corner = |u: usize, v: usize| {
+            let mut at = [0; 3];
+            (at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3]) = (10 * side, 10 * u, 10 * v);
+            format!("vertex {} {} {}\n", at[0], at[1], at[2])
+        };
+        let mut corners = [
+            corner(0, 0),
+            if half == 0 { corner(1, 0) } else { corner(1, 1) },
+            if half == 0 { corner(1, 1) } else { corner(0, 1) },
+        ];
+        if side == 0 {
+            corners.swap(1, 2);
+        }
+        text += &format!("facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n", corners.concat());
+    }
+    text + "endsolid box\n"
+}
+
+#[test]
+fn grains_fill_the_inside_of_a_closed_surface_and_only_of_that() {
+    let folder = Folder::new("inside");
+    fs::write(folder.0.join("box.stl"), stl_box(0)).unwrap();
+    let at = "at = [[\"10 cm\", \"0.5 m\", \"0.5 m\"], [\"20 cm\", \"0.5 m\", \"0.5 m\"]]";
+    let fill = |scale: f64| {
+        CASE.replace(
+            at,
+            &format!("random-stl = {{ path = \"box.stl\", scale = {scale}, solid-fraction = 0.2 }}"),
+        )
+    };
+    let Setup { world, .. } = folder.set_up(&fill(0.002), None).unwrap();
+    // A fifth of (20 mm)³ in spheres of 2 mm.
+    let of_two = world.grains.place.iter().filter(|place| place.radius == 1e-3);
+    let centres: Vec<_> = of_two.map(|place| place.centre).collect();
+    assert_eq!(centres.len(), 382);
+    assert!(centres.iter().all(|c| c.iter().all(|x| (1e-3..=19e-3).contains(x))));
+    let narrow = fill(0.0001).replace("solid-fraction = 0.2", "count = 1");
+    let narrow = folder.set_up(&narrow, None).unwrap_err();
+    assert!(narrow.contains("insertion[0].random-stl: 0 of 1 grains fitted: the next, of diameter 0.0020 m, is wider than the region"), "{narrow}");
+    let rate = "rate = { stl = { path = \"box.stl\", scale = 0.01 }, number-rate = \"100 1/s\" }";
+    let fed = CASE.replace(at, rate)
+        + "\n[[deletion]]\nname = \"out\"\nstl = { path = \"box.stl\", scale = 0.01 }\n";
+    let Setup { scene, world, .. } = folder.set_up(&fed, None).unwrap();
+    assert_eq!((scene.deletions.len(), world.feeds.len()), (1, 2));
+    let [inside, outside] = [0.05, 0.15].map(|x| scene.deletions[0].takes(&[x, 0.05, 0.05].into()));
+    assert!(inside && !outside);
+    fs::write(folder.0.join("box.stl"), stl_box(1)).unwrap();
+    let holed = folder.set_up(&fill(0.002), None).unwrap_err();
+    assert!(
+        holed.contains("insertion[0].random-stl.path")
+            && holed.contains("has 1 holes (the smallest of 3 edges, near (")
+            && holed.contains("only a closed surface has an inside"),
+        "{holed}"
+    );
+}
+
 /// Walls, insertions and deletions, and the first lines of the wall they stand before.
 const SHAPES: &str = r#"
 [[insertion]]

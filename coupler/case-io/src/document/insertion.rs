@@ -7,13 +7,13 @@ use serde::{Deserialize, Serialize};
 
 use super::clump::{Spin, Turn};
 use super::quantity::{Angle, Length, MassRate, NumberRate, Time};
-use super::region::{CylinderRegion, Region, SphereRegion};
+use super::region::{CylinderRegion, Region, SphereRegion, StlRegion};
 use super::sizes::Distribution;
-use super::vector::{Point, VelocityVector};
+use super::vector::{Point, VelocityVector, one};
 
-/// `[[insertion]]`; exactly one of `at`, `lattice`, `random-box`, `random-sphere`, `random-cylinder`, `file`, `rate` places
-/// the grains, exactly one of `diameter`, `diameter-range`, `diameter-distribution` sizes them; or `clump` names what is
-/// inserted in place of grains.
+/// `[[insertion]]`; exactly one of `at`, `lattice`, `random-box`, `random-sphere`, `random-cylinder`, `random-stl`, `file`,
+/// `rate` places the grains, exactly one of `diameter`, `diameter-range`, `diameter-distribution` sizes them; or `clump`
+/// names what is inserted in place of grains.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Insertion {
@@ -52,6 +52,8 @@ pub struct Insertion {
     pub random_sphere: Option<RandomSphere>,
     /// Random places without overlap in a cylinder (3D).
     pub random_cylinder: Option<RandomCylinder>,
+    /// Random places without overlap inside a closed surface of triangles (3D).
+    pub random_stl: Option<RandomStl>,
     /// Places from a file.
     pub file: Option<GrainFile>,
     /// A region that is fed over time.
@@ -65,6 +67,7 @@ impl Insertion {
             self.random_box.as_ref().map(RandomBox::fill),
             self.random_sphere.as_ref().map(RandomSphere::fill),
             self.random_cylinder.as_ref().map(RandomCylinder::fill),
+            self.random_stl.as_ref().map(RandomStl::fill),
         ];
         self.at
             .as_deref()
@@ -212,6 +215,29 @@ impl RandomCylinder {
     }
 }
 
+/// Random places without overlap inside a closed surface of triangles; exactly one of `count` and `solid-fraction`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct RandomStl {
+    /// An STL file, relative to the case's folder.
+    pub path: PathBuf,
+    /// Such files have no unit: their coordinates times `scale` are metres.
+    #[serde(default = "one")]
+    pub scale: f64,
+    /// Number of grains.
+    pub count: Option<u64>,
+    /// Fraction of the inside that the grains fill.
+    pub solid_fraction: Option<f64>,
+}
+
+impl RandomStl {
+    fn fill(&self) -> RandomFill<'_> {
+        let Self { count, solid_fraction, .. } = *self;
+        let region = Region::Stl(&self.path, self.scale);
+        RandomFill { key: "random-stl", region, count, solid_fraction }
+    }
+}
+
 /// Grains from a csv file (`x[m],y[m],z[m]`, and if wanted `vx[m/s]`…, `wx[rad/s]`…, `diameter[m]`), a LIGGGHTS dump or an
 /// XYZ file (plain or extended), the latter in SI units; of several snapshots the last.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -221,7 +247,7 @@ pub struct GrainFile {
     pub path: PathBuf,
 }
 
-/// A region that is fed over time: a box by `lower` and `upper`, or `sphere`, or `cylinder`; exactly one of `mass-rate` and
+/// A region that is fed over time: a box by `lower` and `upper`, or `sphere`, or `cylinder`, or `stl`; exactly one of `mass-rate` and
 /// `number-rate`. What finds no room waits, and is counted in `series/turnover.csv`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -234,6 +260,8 @@ pub struct Rate {
     pub sphere: Option<SphereRegion>,
     /// A cylinder with ends (3D).
     pub cylinder: Option<CylinderRegion>,
+    /// The inside of a closed surface of triangles (3D).
+    pub stl: Option<StlRegion>,
     /// Mass fed per time.
     pub mass_rate: Option<MassRate>,
     /// Grains fed per time.
@@ -252,5 +280,6 @@ impl Rate {
             .map(|(lower, upper)| Region::Box(lower, upper))
             .or(self.sphere.as_ref().map(SphereRegion::region))
             .or(self.cylinder.as_ref().map(CylinderRegion::region))
+            .or(self.stl.as_ref().map(StlRegion::region))
     }
 }

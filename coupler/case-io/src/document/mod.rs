@@ -9,6 +9,7 @@ mod deletion;
 #[cfg(test)]
 pub(crate) mod fixture;
 mod fluid;
+mod grain_field;
 mod grains;
 mod insertion;
 mod load;
@@ -42,19 +43,20 @@ pub use clump::{Clump, ClumpSphere, Spin, Turn};
 pub use coupling::{Acceleration, Coupling, Drag, Scheme, Tolerance};
 pub use deletion::Deletion;
 pub use fluid::{Backend, Field, Fluid, Solve};
+pub use grain_field::GrainField;
 pub use grains::{
     CohesionLaw, Escape, Grains, Lubrication, NormalLaw, RollingLaw, TangentialLaw, TwistingLaw,
 };
 pub use insertion::{
     GrainFile, Insertion, Lattice, LatticeKind, Placement, RandomBox, RandomCylinder, RandomFill,
-    RandomSphere, Rate,
+    RandomSphere, RandomStl, Rate,
 };
 pub use load::{Case, Overrides};
 pub use material::{Material, Pair};
 pub use mesh::{BoxMesh, GmshFile, Mesh, MeshSource, PipeMesh};
 pub use output::{Interval, OutputTable};
 pub use probe::Probe;
-pub use region::{CylinderRegion, Region, SphereRegion};
+pub use region::{CylinderRegion, Region, SphereRegion, StlRegion};
 pub use schema::schema;
 pub use sizes::{Distribution, LognormalSizes, MixtureSize, NormalSizes, SieveFile};
 pub use sleep::Sleep;
@@ -137,6 +139,11 @@ impl Document {
             let sieve = insertion.diameter_distribution.as_ref().and_then(|sizes| sizes.sieve.as_ref());
             let files = [
                 ("file.path", insertion.file.as_ref().map(|file| file.path.as_path())),
+                ("random-stl.path", insertion.random_stl.as_ref().map(|fill| fill.path.as_path())),
+                (
+                    "rate.stl.path",
+                    insertion.rate.as_ref().and_then(|rate| Some(rate.stl.as_ref()?.path.as_path())),
+                ),
                 ("diameter-distribution.sieve.path", sieve.map(|sieve| sieve.path.as_path())),
             ];
             files.into_iter().filter_map(move |(key, path)| Some((format!("insertion[{k}].{key}"), path?)))
@@ -150,8 +157,11 @@ impl Document {
             ];
             files.into_iter().filter_map(move |(key, path)| Some((format!("wall[{k}].{key}"), path?)))
         });
+        let deletions = self.deletion.iter().enumerate().filter_map(|(k, deletion)| {
+            Some((format!("deletion[{k}].stl.path"), deletion.stl.as_ref()?.path.as_path()))
+        });
         let mesh = self.fluid.as_ref().and_then(|fluid| fluid.mesh.as_ref()?.gmsh.as_ref());
         let mesh = mesh.map(|gmsh| ("fluid.mesh.gmsh.path".to_string(), gmsh.path.as_path()));
-        grains.chain(walls).chain(mesh).collect()
+        grains.chain(deletions).chain(walls).chain(mesh).collect()
     }
 }

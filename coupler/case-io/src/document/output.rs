@@ -8,6 +8,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserializer, Error, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::grain_field::GrainField;
 use super::quantity::{QuantityVisitor, Time};
 
 /// `[output]`
@@ -20,6 +21,9 @@ pub struct OutputTable {
     pub frames: Option<Interval>,
     /// Interval of the restart points, or "none"; default end / 4.
     pub restart: Option<Interval>,
+    /// Fields of the grains in each frame; default id, radius, velocity, angular-velocity, material. Those of contacts are 0
+    /// at t = 0, before the first window has found any.
+    pub fields: Option<Vec<GrainField>>,
     /// Whether frames are compressed (LZ4).
     #[serde(default = "default_compress")]
     pub compress: bool,
@@ -31,7 +35,7 @@ fn default_compress() -> bool {
 
 impl Default for OutputTable {
     fn default() -> Self {
-        Self { series: None, frames: None, restart: None, compress: default_compress() }
+        Self { series: None, frames: None, restart: None, fields: None, compress: default_compress() }
     }
 }
 
@@ -44,6 +48,11 @@ impl OutputTable {
     /// Interval of the frames in s, for a run until `end`; nothing if the end is the only one.
     pub fn frames(&self, end: Time) -> Option<f64> {
         self.frames.map_or(Some(end.si() / 20.0), Interval::seconds)
+    }
+
+    /// Fields of the grains in each frame.
+    pub fn fields(&self) -> &[GrainField] {
+        self.fields.as_deref().unwrap_or(&GrainField::DEFAULT)
     }
 
     /// Whether the initial state is a frame: where there are frames in time.

@@ -1,10 +1,12 @@
 //! Regions of space.
 
+use std::path::{Path, PathBuf};
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::quantity::Length;
-use super::vector::Point;
+use super::vector::{Point, one};
 
 /// A sphere (2D: a circle).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -28,6 +30,17 @@ pub struct CylinderRegion {
     pub radius: Length,
 }
 
+/// The inside of a closed surface of triangles (3D only).
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct StlRegion {
+    /// An STL file, relative to the case's folder.
+    pub path: PathBuf,
+    /// Such files have no unit: their coordinates times `scale` are metres.
+    #[serde(default = "one")]
+    pub scale: f64,
+}
+
 /// A region, however a table states it.
 #[derive(Clone, Copy, Debug)]
 pub enum Region<'a> {
@@ -37,6 +50,15 @@ pub enum Region<'a> {
     Sphere(&'a Point, Length),
     /// A cylinder, by the centres of its ends and its radius.
     Cylinder(&'a Point, &'a Point, Length),
+    /// The inside of a closed surface, by its file and the scale of that.
+    Stl(&'a Path, f64),
+}
+
+impl StlRegion {
+    /// The region.
+    pub fn region(&self) -> Region<'_> {
+        Region::Stl(&self.path, self.scale)
+    }
 }
 
 impl SphereRegion {

@@ -3,6 +3,7 @@
 mod ball;
 mod cuboid;
 mod rod;
+mod surface;
 
 use super::random::Random;
 use crate::domain::Domain;
@@ -11,6 +12,7 @@ use crate::vector::Vector;
 pub use ball::SphereRegion;
 pub use cuboid::BoxRegion;
 pub use rod::CylinderRegion;
+pub use surface::SurfaceRegion;
 
 /// A region of space.
 pub trait Space<const D: usize> {
@@ -28,7 +30,7 @@ pub trait Space<const D: usize> {
 }
 
 /// One of the regions.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Region<const D: usize> {
     /// A box.
     Box(BoxRegion<D>),
@@ -36,6 +38,8 @@ pub enum Region<const D: usize> {
     Sphere(SphereRegion<D>),
     /// A cylinder with ends (3D).
     Cylinder(CylinderRegion<D>),
+    /// The inside of a closed surface (3D).
+    Surface(SurfaceRegion<D>),
 }
 
 impl<const D: usize> Space<D> for Region<D> {
@@ -44,6 +48,7 @@ impl<const D: usize> Space<D> for Region<D> {
             Self::Box(region) => region.bounds(),
             Self::Sphere(region) => region.bounds(),
             Self::Cylinder(region) => region.bounds(),
+            Self::Surface(region) => region.bounds(),
         }
     }
 
@@ -52,6 +57,7 @@ impl<const D: usize> Space<D> for Region<D> {
             Self::Box(region) => region.volume(),
             Self::Sphere(region) => region.volume(),
             Self::Cylinder(region) => region.volume(),
+            Self::Surface(region) => region.volume(),
         }
     }
 
@@ -60,6 +66,7 @@ impl<const D: usize> Space<D> for Region<D> {
             Self::Box(region) => region.holds(point),
             Self::Sphere(region) => region.holds(point),
             Self::Cylinder(region) => region.holds(point),
+            Self::Surface(region) => region.holds(point),
         }
     }
 
@@ -68,6 +75,7 @@ impl<const D: usize> Space<D> for Region<D> {
             Self::Box(region) => region.place(domain, radius, random),
             Self::Sphere(region) => region.place(domain, radius, random),
             Self::Cylinder(region) => region.place(domain, radius, random),
+            Self::Surface(region) => region.place(domain, radius, random),
         }
     }
 }

@@ -38,16 +38,40 @@ pub fn read_triangles(
     scale: f64,
     rims: usize,
 ) -> Result<Vec<Facet<3>>, DemError> {
+    read(path, format, |triangles| {
+        let facets = sound(triangles, scale)?;
+        seams::check(&facets, rims)?;
+        Ok(facets)
+    })
+}
+
+/// Reads the triangles of a closed surface that all face the same side; its coordinates times `scale` are metres.
+///
+/// # Errors
+/// As [`read_triangles`]; any opening; neighbours that face opposite sides.
+pub fn read_closed(path: &Path, format: Format, scale: f64) -> Result<Vec<Facet<3>>, DemError> {
+    read(path, format, |triangles| {
+        let facets = sound(triangles, scale)?;
+        seams::check_closed(&facets)?;
+        Ok(facets)
+    })
+}
+
+fn read(
+    path: &Path,
+    format: Format,
+    check: impl FnOnce(Vec<Triangle>) -> Result<Vec<Facet<3>>, Flaw>,
+) -> Result<Vec<Facet<3>>, DemError> {
     let bytes = fs::read(path).map_err(|source| DemError::Unreadable { path: path.into(), source })?;
     let triangles = match format {
         Format::Stl => stl::parse(&bytes),
         Format::Obj => obj::parse(&bytes),
     };
-    let sound = triangles.and_then(|triangles| sound(triangles, scale, rims));
-    sound.map_err(|flaw| DemError::BadFile { path: path.into(), flaw })
+    triangles.and_then(check).map_err(|flaw| DemError::BadFile { path: path.into(), flaw })
 }
 
-fn sound(triangles: Vec<Triangle>, scale: f64, rims: usize) -> Result<Vec<Facet<3>>, Flaw> {
+/// The triangles, each of which can be a piece of wall.
+fn sound(triangles: Vec<Triangle>, scale: f64) -> Result<Vec<Facet<3>>, Flaw> {
     if triangles.is_empty() {
         return Err(Flaw::whole("holds no triangle; a surface needs at least one"));
     }
@@ -62,7 +86,6 @@ fn sound(triangles: Vec<Triangle>, scale: f64, rims: usize) -> Result<Vec<Facet<
     refuse(&facets, is_flat, |what| {
         format!("{what} has no area, its vertices lie on one line; remove it or repair the surface")
     })?;
-    seams::check(&facets, rims)?;
     Ok(facets)
 }
 
@@ -96,14 +119,13 @@ mod tests {
 
     #[test]
     fn coordinates_become_metres() {
-        let facets = sound(vec![TRIANGLE], 1e-3, 1).unwrap();
+        let facets = sound(vec![TRIANGLE], 1e-3).unwrap();
         assert_eq!(facets[0].vertices[1], Vector::from([1e-3, 0.0, 0.0]));
     }
 
     #[test]
     fn triangles_that_cannot_be_are_told_and_counted() {
-        let error =
-            |triangles: &[Triangle]| format!("a.stl{}", sound(triangles.to_vec(), 1.0, 1).unwrap_err());
+        let error = |triangles: &[Triangle]| format!("a.stl{}", sound(triangles.to_vec(), 1.0).unwrap_err());
         let (mut endless, mut flat) = (TRIANGLE, TRIANGLE);
         endless[1][2] = f64::NAN;
         flat[2] = [5.0, 0.0, 0.0];

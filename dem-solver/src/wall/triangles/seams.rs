@@ -19,6 +19,16 @@ pub(super) fn check(facets: &[Facet<3>], rims: usize) -> Result<(), Flaw> {
     welded.refuse_holes(&edges, rims)
 }
 
+/// Refuses what [`check`] does, any opening, and neighbours that face opposite sides: the surface has an inside.
+pub(super) fn check_closed(facets: &[Facet<3>]) -> Result<(), Flaw> {
+    let welded = Welded::new(facets);
+    welded.refuse_twins()?;
+    let edges = welded.edges();
+    welded.refuse_fins(&edges)?;
+    welded.refuse_openings(&edges)?;
+    welded.refuse_turned()
+}
+
 /// Triangles as indices of vertices.
 struct Welded {
     vertices: Vec<Vector<3>>,
@@ -108,10 +118,35 @@ impl Welded {
         }
     }
 
+    fn refuse_openings(&self, edges: &Edges) -> Result<(), Flaw> {
+        let rims = rims(&open(edges));
+        let Some((count, vertex)) = rims.values().min() else { return Ok(()) };
+        Err(Flaw::whole(format!(
+            "has {} holes (the smallest of {count} edges, near {}); close them: only a closed surface has an inside",
+            rims.len(),
+            self.at(*vertex)
+        )))
+    }
+
+    /// Two triangles that face the same side pass their common edge in opposite directions.
+    fn refuse_turned(&self) -> Result<(), Flaw> {
+        let mut passed = BTreeMap::new();
+        for (number, &[a, b, c]) in self.triangles.iter().enumerate() {
+            for edge in [[a, b], [b, c], [c, a]] {
+                if let Some(other) = passed.insert(edge, number) {
+                    return Err(Flaw::whole(format!(
+                        "triangles {} and {} face opposite sides of the surface; write it again with all triangles facing outwards",
+                        other + 1,
+                        number + 1
+                    )));
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn refuse_holes(&self, edges: &Edges, allowed: usize) -> Result<(), Flaw> {
-        let open: Vec<[u32; 2]> =
-            edges.iter().filter(|(_, triangles)| **triangles == 1).map(|(edge, _)| *edge).collect();
-        let rims = rims(&open);
+        let rims = rims(&open(edges));
         if rims.len() == allowed {
             return Ok(());
         }
@@ -126,6 +161,11 @@ impl Welded {
         let stated = "state as rims how many it is meant to have";
         Err(Flaw::whole(format!("{found}, allowed: {allowed}; close what is open by mistake, or {stated}")))
     }
+}
+
+/// The edges of one triangle only.
+fn open(edges: &Edges) -> Vec<[u32; 2]> {
+    edges.iter().filter(|(_, triangles)| **triangles == 1).map(|(edge, _)| *edge).collect()
 }
 
 /// The rims that open edges form, by their first vertex: the number of edges, and that vertex.
@@ -198,6 +238,25 @@ mod tests {
         check(torn, 1).unwrap_or_else(|flaw| panic!("a hole that touches the rim is one with it: {flaw}"));
         let holed: Vec<_> = whole[1..11].iter().chain(&whole[11..]).copied().collect();
         assert!(error(&holed, 0).contains("smallest of 3 edges"), "{}", error(&holed, 0));
+    }
+
+    #[test]
+    fn a_surface_without_an_inside_is_refused() {
+        let told = |facets: &[Facet<3>]| format!("a.stl{}", check_closed(facets).unwrap_err());
+        let whole = cube(1e-7);
+        // The faces on the low sides face inwards as they are made here.
+        let outwards: Vec<_> = (0..12)
+            .map(|k| {
+                let [a, b, c] = whole[k].vertices;
+                if k / 2 % 2 == 0 { Facet { vertices: [a, c, b] } } else { whole[k] }
+            })
+            .collect();
+        check_closed(&outwards).unwrap();
+        assert!(told(&whole).contains("face opposite sides of the surface"), "{}", told(&whole));
+        assert!(
+            told(&outwards[1..]).starts_with("a.stl: has 1 holes (the smallest of 3 edges, near (")
+                && told(&outwards[1..]).ends_with("close them: only a closed surface has an inside")
+        );
     }
 
     #[test]

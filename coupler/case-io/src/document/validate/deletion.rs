@@ -13,7 +13,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
     rules.names("deletion", document.deletion.iter().map(|deletion| deletion.name.as_str()))?;
     for (index, deletion) in document.deletion.iter().enumerate() {
         let table = format!("deletion[{index}]");
-        rules.exactly_one(&table, &["box", "sphere", "cylinder", "beyond"])?;
+        rules.exactly_one(&table, &["box", "sphere", "cylinder", "stl", "beyond"])?;
         // Feeds, deletions and the escaped are columns of one series.
         let known = document.insertion.iter().any(|insertion| insertion.name == deletion.name);
         if known || deletion.name == "escaped" {
@@ -24,6 +24,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
             ("box", deletion.cuboid.is_some()),
             ("sphere", deletion.sphere.is_some()),
             ("cylinder", deletion.cylinder.is_some()),
+            ("stl", deletion.stl.is_some()),
         ];
         if let (Some((key, _)), Some(region)) = (stated.iter().find(|(_, given)| *given), deletion.region()) {
             region::check(rules, &format!("{table}.{key}"), region)?;
@@ -50,7 +51,7 @@ mod tests {
         let rows = [
             (
                 with("name = \"out\""),
-                "case.toml:22: deletion[0]: none of these keys is given; allowed: exactly one of box, sphere, cylinder, beyond",
+                "case.toml:22: deletion[0]: none of these keys is given; allowed: exactly one of box, sphere, cylinder, stl, beyond",
             ),
             (
                 with("name = \"bed\"\nbeyond = { point = [\"0 m\", \"0 m\", \"0 m\"], normal = [0, 0, 1] }"),

@@ -2,7 +2,7 @@
 
 use super::rules::Rules;
 use crate::document::quantity::Time;
-use crate::document::{Dimension, Document, Interval, MeshSource, Placement};
+use crate::document::{Dimension, Document, Interval, MeshSource, NormalLaw, Placement};
 use crate::error::CaseError;
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
@@ -87,16 +87,35 @@ fn output(document: &Document, rules: &Rules) -> Result<(), CaseError> {
     if output.frames == Some(Interval::None) {
         rules.no_effect("output.compress", "where output.frames = \"none\"")?;
     }
+    fields(document, rules)
+}
+
+/// Those of the grains in frames, each once.
+fn fields(document: &Document, rules: &Rules) -> Result<(), CaseError> {
+    let Some(grains) = &document.grains else {
+        return rules.no_effect("output.fields", "without [grains]");
+    };
+    let fields = document.output.fields();
+    for (index, field) in fields.iter().enumerate() {
+        let key = format!("output.fields[{index}]");
+        if fields[..index].contains(field) {
+            return rules.refuse(&key, "this field is named twice", "", "delete one");
+        }
+        if field.is_of_contacts() && grains.normal_law == NormalLaw::None {
+            return rules.no_effect(&key, "where grains.normal-law = \"none\"");
+        }
+    }
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::document::fixture::{CHANNEL, DRY, SETTLING, assert_refusals, document};
+    use crate::document::GrainField;
+    use crate::document::fixture::{CARRIED, CHANNEL, DRY, SETTLING, assert_refusals, document};
 
     #[test]
     fn the_fixtures_are_sound() {
-        for text in [SETTLING, DRY, CHANNEL, crate::document::fixture::CARRIED] {
+        for text in [SETTLING, DRY, CHANNEL, CARRIED] {
             document(text);
         }
     }
@@ -134,6 +153,42 @@ mod tests {
         assert_eq!(
             (coupling.ledger_tolerance, coupling.peer_deadline.si(), coupling.answer_deadline.si()),
             (1e-10, 5.0, 120.0)
+        );
+    }
+
+    #[test]
+    fn fields_of_frames_are_known_ones_each_once() {
+        let output = |fields: &str| format!("[output]\nfields = {fields}\n[materials.glass]");
+        let of = |fields: &str| document(&SETTLING.replace("[materials.glass]", &output(fields))).output;
+        let chosen = of(r#"["contact-force", "coordination"]"#);
+        assert_eq!(chosen.fields(), [GrainField::ContactForce, GrainField::Coordination]);
+        assert_eq!(document(SETTLING).output.fields(), GrainField::DEFAULT);
+        for (sound, fields, message) in [
+            (
+                SETTLING,
+                r#"["id", "pressure"]"#,
+                "case.toml:9: output.fields[1]: unknown field \"pressure\"; allowed: id, radius, mass, velocity, angular-velocity, material, contact-force, contact-torque, coordination, kinetic-energy",
+            ),
+            (
+                SETTLING,
+                r#"["id", "id"]"#,
+                "case.toml:9: output.fields[1]: this field is named twice; delete one",
+            ),
+            (
+                CARRIED,
+                r#"["coordination"]"#,
+                "case.toml:9: output.fields[0]: has no effect where grains.normal-law = \"none\"; delete it",
+            ),
+        ] {
+            assert_refusals(sound, &[("[materials.glass]", &output(fields), message)]);
+        }
+        assert_refusals(
+            CHANNEL,
+            &[(
+                "[fluid]",
+                "[output]\nfields = [\"id\"]\n[fluid]",
+                "case.toml:8: output.fields: has no effect without [grains]; delete it",
+            )],
         );
     }
 

@@ -3,11 +3,11 @@
 use super::rules::Rules;
 use super::{clump, region, sizes};
 use crate::document::quantity::{Length, Time};
-use crate::document::{Document, Insertion, NormalLaw, Placement, Rate};
+use crate::document::{Document, Insertion, NormalLaw, Placement, Rate, Region};
 use crate::error::CaseError;
 
-const PLACEMENTS: [&str; 7] =
-    ["at", "lattice", "random-box", "random-sphere", "random-cylinder", "file", "rate"];
+const PLACEMENTS: [&str; 8] =
+    ["at", "lattice", "random-box", "random-sphere", "random-cylinder", "random-stl", "file", "rate"];
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
     let Some(grains) = &document.grains else {
@@ -93,15 +93,20 @@ fn placement(
 }
 
 fn rate(document: &Document, rate: &Rate, table: &str, rules: &Rules) -> Result<(), CaseError> {
-    rules.exactly_one(table, &["lower", "sphere", "cylinder"])?;
+    rules.exactly_one(table, &["lower", "sphere", "cylinder", "stl"])?;
     if rate.lower.is_some() {
         rules.required(&format!("{table}.upper"), "state the other corner of the box")?;
     } else {
         rules.no_effect(&format!("{table}.upper"), "without lower")?;
     }
     if let Some(stated) = rate.region() {
-        let within = if rate.sphere.is_some() { ".sphere" } else { ".cylinder" };
-        let key = if rate.lower.is_some() { table.to_string() } else { format!("{table}{within}") };
+        let within = match stated {
+            Region::Box(..) => "",
+            Region::Sphere(..) => ".sphere",
+            Region::Cylinder(..) => ".cylinder",
+            Region::Stl(..) => ".stl",
+        };
+        let key = format!("{table}{within}");
         region::check(rules, &key, stated)?;
     }
     rules.exactly_one(table, &["mass-rate", "number-rate"])?;
@@ -169,12 +174,12 @@ mod tests {
                 (
                     AT,
                     "",
-                    "case.toml:17: insertion[0]: none of these keys is given; allowed: exactly one of at, lattice, random-box, random-sphere, random-cylinder, file, rate",
+                    "case.toml:17: insertion[0]: none of these keys is given; allowed: exactly one of at, lattice, random-box, random-sphere, random-cylinder, random-stl, file, rate",
                 ),
                 (
                     "at = [[",
                     "file = { path = \"x.csv\" }\nat = [[",
-                    "case.toml:17: insertion[0]: at and file exclude each other; allowed: exactly one of at, lattice, random-box, random-sphere, random-cylinder, file, rate",
+                    "case.toml:17: insertion[0]: at and file exclude each other; allowed: exactly one of at, lattice, random-box, random-sphere, random-cylinder, random-stl, file, rate",
                 ),
                 (
                     AT,

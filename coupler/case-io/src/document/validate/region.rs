@@ -14,6 +14,7 @@ pub(super) fn check(rules: &Rules, table: &str, region: Region) -> Result<(), Ca
             rules.positive(&key("radius"), radius)
         }
         Region::Cylinder(from, to, radius) => cylinder(rules, table, from, to, radius),
+        Region::Stl(_, scale) => surface(rules, table, scale),
     }
 }
 
@@ -27,6 +28,13 @@ fn cylinder(rules: &Rules, table: &str, from: &Point, to: &Point, radius: Length
         return rules.refuse(&format!("{table}.to"), "is where from is", "another point", "");
     }
     rules.positive(&format!("{table}.radius"), radius)
+}
+
+fn surface(rules: &Rules, table: &str, scale: f64) -> Result<(), CaseError> {
+    if rules.dimension == Dimension::Two {
+        return rules.refuse(table, "triangles are no region in 2D", "", "use a box or a sphere: a circle");
+    }
+    rules.number(&format!("{table}.scale"), scale, scale > 0.0, "more than 0")
 }
 
 #[cfg(test)]
@@ -60,8 +68,16 @@ mod tests {
                 "case.toml:21: insertion[0].rate.sphere.radius: found -1 m; allowed: more than 0 m",
             ),
             (
+                "random-stl = { path = \"a.stl\", scale = 0, count = 2 }".to_string(),
+                "case.toml:21: insertion[0].random-stl.scale: found 0; allowed: more than 0",
+            ),
+            (
+                "random-stl = { path = \"a.stl\" }".to_string(),
+                "case.toml:21: insertion[0].random-stl: none of these keys is given; allowed: exactly one of count, solid-fraction",
+            ),
+            (
                 "rate = { number-rate = \"1 1/s\" }".to_string(),
-                "case.toml:21: insertion[0].rate: none of these keys is given; allowed: exactly one of lower, sphere, cylinder",
+                "case.toml:21: insertion[0].rate: none of these keys is given; allowed: exactly one of lower, sphere, cylinder, stl",
             ),
             (
                 "rate = { lower = [\"0 m\", \"0 m\", \"0 m\"], number-rate = \"1 1/s\" }".to_string(),
@@ -74,6 +90,8 @@ mod tests {
         for sound in [
             format!("random-cylinder = {{ {ENDS}, radius = \"1 m\", count = 2 }}"),
             format!("random-sphere = {{ {CENTRE}, radius = \"1 m\", solid-fraction = 0.1 }}"),
+            "random-stl = { path = \"a.stl\", scale = 0.001, count = 2 }".to_string(),
+            "rate = { stl = { path = \"a.stl\" }, number-rate = \"1 1/s\" }".to_string(),
             format!("rate = {{ cylinder = {{ {ENDS}, radius = \"1 m\" }}, mass-rate = \"1 g/s\" }}"),
         ] {
             document(&SETTLING.replace(AT, &sound));
