@@ -53,12 +53,12 @@ mod tests {
                 (
                     "\"1 um\"",
                     "\"-1 um\"",
-                    "case.toml:17: grains.lubrication.roughness: found -0.000001 m; allowed: more than 0 m",
+                    "case.toml:17: grains.lubrication.roughness: found -1e-6 m; allowed: more than 0 m",
                 ),
                 (
                     "\"0.1 mm\"",
                     "\"1 um\"",
-                    "case.toml:17: grains.lubrication.cut-off: found 0.000001 m; allowed: more than the roughness, 0.000001 m",
+                    "case.toml:17: grains.lubrication.cut-off: found 1e-6 m; allowed: more than the roughness, 1e-6 m",
                 ),
                 (
                     "\"0.1 mm\"",
