@@ -231,7 +231,7 @@ mod tests {
                 (
                     "normal-law",
                     "normal-lw",
-                    "case.toml:16: grains.normal-lw: unknown key; allowed: normal-law, characteristic-velocity, tangential-law, area-factor, rolling-law, twisting-law, lubrication, cohesion-law, domain, escape, periodic, start-overlap; did you mean \"normal-law\"?",
+                    "case.toml:16: grains.normal-lw: unknown key; allowed: normal-law, characteristic-velocity, tangential-law, area-factor, rolling-law, twisting-law, lubrication, cohesion-law, domain, escape, periodic, start-overlap, sleep; did you mean \"normal-law\"?",
                 ),
                 (
                     "[time]",
