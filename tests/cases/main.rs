@@ -46,5 +46,6 @@ cases! {
     settling_sphere "settling-sphere"
     settling_sphere_periodic "settling-sphere-periodic"
     silo_discharge "silo-discharge"
+    tumbling_dumbbell "tumbling-dumbbell"
     two_sphere_impact "two-sphere-impact"
 }
