@@ -11,7 +11,7 @@ use crate::contact::normal::Normal;
 use crate::contact::rolling::Rolling;
 use crate::contact::tangential::{Annuli, Spring, Tangential};
 use crate::contact::{NEAREST, Response, Touch, touch_force};
-use crate::lanes::{Kernel, Row4, Row8, RowLanes, Vec3};
+use crate::lanes::{Kernel, Lanes, Row4, Row8, RowLanes, Vec3, prefetch};
 
 /// Adds the forces of a chunk's pairs to its loads; finds two grains of which one holds the centre of the other, if any do.
 pub struct PairForces<'a, N, T, C, X> {
@@ -51,16 +51,65 @@ where
     #[inline(always)]
     fn run<L: RowLanes>(mut self) -> Option<(u32, u32)> {
         let mut too_deep = None;
+        let mut group = [Meeting::default(); GROUP];
+        let mut count = 0;
         for block in 0..self.blocks.len() {
+            self.prefetch(block + AHEAD);
             for lane in (0..WIDTH).step_by(L::WIDTH) {
                 // SAFETY: the rows of a block are rows of the grains, its slots are slots of the chunk's loads:
                 // both are made by the refresh of the inner list.
-                let found = unsafe { self.lanes::<L>(block, lane) };
-                too_deep = too_deep.or(found);
+                unsafe {
+                    if self.meet::<L>((block, lane), &mut group[count], &mut too_deep) {
+                        count += 1;
+                    }
+                    if count == GROUP {
+                        self.work_on::<L>(&mut group);
+                        count = 0;
+                    }
+                }
             }
         }
+        // SAFETY: as above.
+        unsafe { self.work_on::<L>(&mut group[..count]) };
         too_deep
     }
+}
+
+/// Meetings that are worked on together. Short loops keep more of a processor busy than a long one, whose every line
+/// waits for a root or a quotient above.
+const GROUP: usize = 8;
+/// Blocks between asking for rows and their use.
+const AHEAD: usize = 16;
+
+/// Pairs side by side of which some are near enough to act on each other.
+#[derive(Clone, Copy, Default)]
+#[repr(C, align(64))]
+struct Meeting {
+    /// From the first grain to the second, of length 1.
+    normal: Rows3,
+    /// Between their centres; of grains that are one and the same, out of reach \[m\].
+    distance: Row,
+    /// Force on the first grain \[N\].
+    force: Rows3,
+    /// Torques on both \[N m\]; where all pairs are alike, the first is that on either.
+    torque: [Rows3; 2],
+    /// Block and lane of the first.
+    at: (usize, usize),
+}
+
+type Row = [f64; WIDTH];
+type Rows3 = [Row; 3];
+
+#[inline(always)]
+fn load3<L: Lanes>([x, y, z]: &Rows3) -> Vec3<L> {
+    Vec3::load(x, y, z)
+}
+
+#[inline(always)]
+fn store3<L: Lanes>(vector: Vec3<L>, [x, y, z]: &mut Rows3) {
+    vector.x.store(x);
+    vector.y.store(y);
+    vector.z.store(z);
 }
 
 impl<N, T, C, X> PairForces<'_, N, T, C, X>
@@ -70,49 +119,86 @@ where
     C: PairConstants,
     X: ExtraForces,
 {
-    /// The pairs from one lane of a block on.
+    /// Asks for the rows of a block's second grains; those of the first are in the order of memory.
     #[inline(always)]
-    unsafe fn lanes<L: RowLanes>(&mut self, block: usize, lane: usize) -> Option<(u32, u32)> {
-        let PairBlock { i, j, slot_i, slot_j } = &self.blocks[block];
-        let (i, j, slot_i, slot_j) = (&i[lane..], &j[lane..], &slot_i[lane..], &slot_j[lane..]);
+    fn prefetch(&self, block: usize) {
+        if let Some(PairBlock { j, slot_j, .. }) = self.blocks.get(block) {
+            for lane in 0..WIDTH {
+                prefetch(self.places, j[lane]);
+                prefetch(self.motions, j[lane]);
+                prefetch(self.loads, slot_j[lane]);
+            }
+        }
+    }
+
+    /// Whether any of the pairs from one lane of a block on are near, and how.
+    #[inline(always)]
+    unsafe fn meet<L: RowLanes>(
+        &mut self,
+        at: (usize, usize),
+        meeting: &mut Meeting,
+        too_deep: &mut Option<(u32, u32)>,
+    ) -> bool {
+        let (block, lane) = at;
+        let PairBlock { i, j, .. } = &self.blocks[block];
+        let (i, j) = (&i[lane..], &j[lane..]);
         let separation = self.periods.nearest(unsafe { L::difference4(self.places, i, j) });
         let (radius_i, radius_j) = self.constants.radii::<L>(block, lane);
         let reach = radius_i + radius_j;
         let squared = separation.norm_squared();
         let nearest = radius_i.max(radius_j) * L::splat(NEAREST);
         let apart = (nearest * nearest).less(squared);
-        let touching = L::both(squared.less(reach * reach), apart);
-        let too_deep = if L::bits(apart).count_ones() as usize == L::WIDTH {
-            None
-        } else {
-            first_too_deep(L::bits(apart), &i[..L::WIDTH], &j[..L::WIDTH])
-        };
-        let near = if X::ANY {
-            let within = reach + self.extras.reach::<L>((block, lane));
-            L::both(squared.less(within * within), apart)
-        } else {
-            touching
-        };
-        if !L::any(near) {
+        if !L::all(apart) {
+            *too_deep = too_deep.or(first_too_deep(L::bits(apart), &i[..L::WIDTH], &j[..L::WIDTH]));
+        }
+        let within = if X::ANY { reach + self.extras.reach::<L>(at) } else { reach };
+        if !L::any(L::both(squared.less(within * within), apart)) {
             if T::REMEMBERS {
                 self.springs[block].relax::<L>(lane);
             }
             if T::SLIPS_IN_PART {
                 self.annuli[block].relax::<L>(lane);
             }
-            self.extras.relax::<L>((block, lane));
-            return too_deep;
+            self.extras.relax::<L>(at);
+            return false;
         }
         let distance = squared.sqrt();
-        let normal = separation * (L::splat(1.0) / distance);
+        store3(separation * (L::splat(1.0) / distance), &mut meeting.normal);
+        L::select(apart, distance, reach + reach).store(&mut meeting.distance);
+        meeting.at = at;
+        true
+    }
+
+    /// What follows for those that are near.
+    #[inline(always)]
+    unsafe fn work_on<L: RowLanes>(&mut self, group: &mut [Meeting]) {
+        for meeting in &mut *group {
+            unsafe { self.respond::<L>(meeting) };
+        }
+        for meeting in group {
+            unsafe { self.deliver::<L>(meeting) };
+        }
+    }
+
+    /// Forces and torques.
+    #[inline(always)]
+    unsafe fn respond<L: RowLanes>(&mut self, meeting: &mut Meeting) {
+        let (at, step) = (meeting.at, L::splat(self.step));
+        let (block, lane) = at;
+        let PairBlock { i, j, .. } = &self.blocks[block];
+        let (i, j) = (&i[lane..], &j[lane..]);
+        let normal = load3::<L>(&meeting.normal);
+        let distance = L::load(&meeting.distance);
+        let (radius_i, radius_j) = self.constants.radii::<L>(block, lane);
+        let reach = radius_i + radius_j;
+        let touching = distance.less(reach);
         let bodies = Bodies::Spheres(radius_i, radius_j);
         let [velocity, spin] = unsafe { L::difference_and_sum8(self.motions, i, j) };
-        let (closing, step) = (velocity.dot(normal), L::splat(self.step));
+        let closing = velocity.dot(normal);
         let proximity = Proximity { bodies, distance, overlap: reach - distance, travel: closing * step };
-        let at = (block, lane);
         let Hold { contact, indentation, attraction, felt } = self.extras.hold(at, &proximity, touching);
         let overlap = proximity.overlap.only(contact);
-        let share = radius_i / reach;
+        let share = if C::ALIKE { L::splat(0.5) } else { radius_i / reach };
         let arm_i = N::arm(radius_i, overlap, share);
         let arm_j = N::arm(radius_j, overlap, L::splat(1.0) - share);
         // a_i ω_i + a_j ω_j = (a_i + a_j)/2 (ω_i + ω_j) + (a_i - a_j)/2 (ω_i - ω_j)
@@ -156,16 +242,31 @@ where
         }
         if X::ANY {
             let squeezed = self.extras.lubrication(at, &coefficients, proximity.overlap, closing, step);
-            force = force + (normal * (attraction - squeezed)).only(near);
+            force = force
+                + (normal * (attraction - squeezed)).only(distance.less(reach + self.extras.reach::<L>(at)));
         }
+        store3(force, &mut meeting.force);
+        store3(torque_i, &mut meeting.torque[0]);
+        if !C::ALIKE {
+            store3(torque_j, &mut meeting.torque[1]);
+        }
+    }
+
+    /// Adds them to the loads.
+    #[inline(always)]
+    unsafe fn deliver<L: RowLanes>(&mut self, meeting: &Meeting) {
+        let (block, lane) = meeting.at;
+        let PairBlock { slot_i, slot_j, .. } = &self.blocks[block];
+        let (slot_i, slot_j) = (&slot_i[lane..], &slot_j[lane..]);
+        let (force, torque_i) = (load3::<L>(&meeting.force), load3(&meeting.torque[0]));
         unsafe {
             if C::ALIKE {
                 L::add_opposed8(self.loads, slot_i, slot_j, force, torque_i);
             } else {
+                let torque_j = load3(&meeting.torque[1]);
                 L::add_unequal8(self.loads, slot_i, slot_j, force, torque_i, torque_j);
             }
         }
-        too_deep
     }
 }
 

@@ -57,6 +57,13 @@ impl Lanes for Avx2 {
         Self(unsafe { _mm256_sqrt_pd(self.0) })
     }
     #[inline(always)]
+    fn inverse_root_guess<const SHIFT: u32>(self, magic: i64) -> Self {
+        unsafe {
+            let shifted = _mm256_srl_epi64(_mm256_castpd_si256(self.0), _mm_cvtsi32_si128(SHIFT as i32));
+            Self(_mm256_castsi256_pd(_mm256_sub_epi64(_mm256_set1_epi64x(magic), shifted)))
+        }
+    }
+    #[inline(always)]
     fn round(self) -> Self {
         Self(unsafe { _mm256_round_pd::<{ _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC }>(self.0) })
     }

@@ -57,6 +57,13 @@ impl Lanes for Avx512 {
         Self(unsafe { _mm512_sqrt_pd(self.0) })
     }
     #[inline(always)]
+    fn inverse_root_guess<const SHIFT: u32>(self, magic: i64) -> Self {
+        unsafe {
+            let shifted = _mm512_srli_epi64::<SHIFT>(_mm512_castpd_si512(self.0));
+            Self(_mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(magic), shifted)))
+        }
+    }
+    #[inline(always)]
     fn round(self) -> Self {
         Self(unsafe { _mm512_roundscale_pd::<{ _MM_FROUND_TO_NEAREST_INT }>(self.0) })
     }

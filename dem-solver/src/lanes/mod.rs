@@ -7,6 +7,7 @@ mod avx2;
 mod avx512;
 mod backend;
 mod plain;
+mod prefetch;
 mod scalar;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,7 @@ mod vec3;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 pub use backend::{Backend, Kernel};
+pub use prefetch::prefetch;
 pub use vec3::Vec3;
 
 /// Four numbers of one grain: `[x y z r]`.
@@ -46,6 +48,8 @@ pub trait Lanes:
     fn store(self, to: &mut [f64]);
     /// Square root, rounded correctly.
     fn sqrt(self) -> Self;
+    /// A first guess of x^(-1/2^SHIFT), x > 0: `magic` less the bits of x shifted, as integers.
+    fn inverse_root_guess<const SHIFT: u32>(self, magic: i64) -> Self;
     /// To the nearest integer, ties to even.
     fn round(self) -> Self;
     /// `self < other ? self : other`.
@@ -60,6 +64,24 @@ pub trait Lanes:
     fn both(one: Self::Mask, other: Self::Mask) -> Self::Mask;
     /// Bit k is lane k.
     fn bits(mask: Self::Mask) -> u32;
+
+    /// x^(-1/4) to two roundings, x > 0 and normal; finite at 0.
+    #[inline(always)]
+    fn inverse_fourth_root(self) -> Self {
+        let quarter = self * Self::splat(0.25);
+        let mut y = self.inverse_root_guess::<2>(0x4feb_098e_17c4_8bdd);
+        for _ in 0..4 {
+            let squared = y * y;
+            y = y * (Self::splat(1.25) - quarter * (squared * squared));
+        }
+        y
+    }
+
+    /// Whether the mask holds everywhere.
+    #[inline(always)]
+    fn all(mask: Self::Mask) -> bool {
+        Self::bits(mask) == (1 << Self::WIDTH) - 1
+    }
 
     /// Whether the mask holds anywhere.
     #[inline(always)]

@@ -56,6 +56,10 @@ impl Lanes for Plain {
         Self(self.0.map(f64::sqrt))
     }
     #[inline(always)]
+    fn inverse_root_guess<const SHIFT: u32>(self, magic: i64) -> Self {
+        Self(self.0.map(|x| x.inverse_root_guess::<SHIFT>(magic)))
+    }
+    #[inline(always)]
     fn round(self) -> Self {
         Self(self.0.map(f64::round_ties_even))
     }

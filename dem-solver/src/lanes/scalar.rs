@@ -23,6 +23,10 @@ impl Lanes for f64 {
         f64::sqrt(self)
     }
     #[inline(always)]
+    fn inverse_root_guess<const SHIFT: u32>(self, magic: i64) -> Self {
+        f64::from_bits((magic as u64).wrapping_sub(self.to_bits() >> SHIFT))
+    }
+    #[inline(always)]
     fn round(self) -> Self {
         self.round_ties_even()
     }

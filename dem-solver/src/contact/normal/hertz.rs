@@ -58,8 +58,9 @@ impl<const D: usize> Normal<D> for Hertz {
         if D == 2 {
             return Growth::none();
         }
-        let root = overlap.sqrt();
-        Growth { stiffness: root, damping: root.sqrt() }
+        let inverse = overlap.inverse_fourth_root();
+        let stiffness = overlap * (inverse * inverse);
+        Growth { stiffness, damping: stiffness * inverse }
     }
 
     #[inline(always)]
