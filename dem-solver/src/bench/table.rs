@@ -43,7 +43,7 @@ impl Columns {
             ["best", "median", "own core", "B/grain", "B/step", "instr/step"].map(String::from).into();
         titles.extend((self.threads > 1).then(|| format!("{} threads", self.threads)));
         titles.extend(self.peers.iter().flat_map(|peer| [peer.to_string(), "ratio".into()]));
-        let titles: Vec<String> = titles.iter().map(|title| format!("{title:>10}")).collect();
+        let titles: Vec<String> = titles.iter().map(|title| format!("{title:>11}")).collect();
         format!("{:12} {:>8}  {:8}{}", "scene", "grains", "lanes", titles.concat())
     }
 
@@ -101,8 +101,8 @@ impl Row {
     /// The row, as wide as the titles.
     pub fn line(&self) -> String {
         let [best, median] = self.of_processor();
-        let cell = |value: f64, digits: usize| format!("{value:>10.digits$}");
-        let nothing = || format!("{:>10}", "-");
+        let cell = |value: f64, digits: usize| format!("{value:>11.digits$}");
+        let nothing = || format!("{:>11}", "-");
         let mut cells = vec![cell(best, 1), cell(median, 1), cell(self.own_core(), 2)];
         cells.push(self.bytes_per_grain.map_or_else(nothing, |bytes| cell(bytes, 0)));
         cells.push(cell(self.traffic, 0));
