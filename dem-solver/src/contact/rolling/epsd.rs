@@ -42,7 +42,7 @@ impl Resistance for Epsd {
         let spin = rolling.spin - rolling.normal * rolling.spin.dot(rolling.normal);
         let strained = *torque + spin * (constants.stiffness * rolling.growth.stiffness * rolling.step);
         let limit = constants.friction * constants.effective_radius * rolling.pressing;
-        *torque = shortened(strained, limit).0;
+        *torque = shortened(strained, limit);
         let yields = (limit * limit).less(strained.norm_squared());
         let damping = constants.damping * rolling.growth.damping;
         *torque + spin * L::select(yields, L::splat(0.0), damping)

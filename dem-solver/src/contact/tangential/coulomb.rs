@@ -11,11 +11,11 @@ use crate::lanes::{Lanes, Vec3};
 /// 2. Where k_t grows with the load, s shrinks so that the force k_t s stays (a stiffer contact holds no more
 ///    energy than was put in); where k_t falls the force falls with it.
 /// 3. s grows by v_t Δt.
-/// 4. Where |k_t s| exceeds μ F_n it is cut to that, the contact slips, and F_t = -k_t s. Elsewhere |F_t| is cut.
+/// 4. Slip: |k_t s| is cut to μ F_n, and after that |F_t| is.
 /// 5. In the last substep of a contact that is stiff up to its end, a spring that would swing past its rest before the
 ///    next is let go of there.
 ///
-/// No step makes energy: 1 keeps it, 2 and the cut of k_t s lower that of the spring, and the cut of F_t is a
+/// No step makes energy: 1 keeps it, 2 and the first cut lower that of the spring, and the second cut is a
 /// projection on the ball of radius μ F_n that holds k_t s, so that (k_t s + F_t)·v_t ≤ 0. 5: [`let_go`].
 ///
 /// Source: Cundall & Strack, Géotechnique 29 (1979) 47–65; 2: Thornton, Cummins & Cleary, Powder Technol. 233
@@ -38,13 +38,9 @@ impl Tangential for Coulomb {
         let damping = coefficients.tangential_damping * growth.damping;
         let held =
             carried_over(spring, sliding.normal, stiffness) + sliding.velocity * (stiffness * sliding.step);
-        let (held, slips) = shortened(held, sliding.limit);
-        let held = let_go(coefficients, held, stiffness, sliding);
+        let held = let_go(coefficients, shortened(held, sliding.limit), stiffness, sliding);
         *spring = Spring { force: held, stiffness, ..*spring };
-        // What slips is at the limit already.
-        let damping = L::select(slips, L::splat(0.0), damping);
-        let limit = L::select(slips, L::splat(f64::INFINITY), sliding.limit);
-        shortened(-held - sliding.velocity * damping, limit).0
+        shortened(-held - sliding.velocity * damping, sliding.limit)
     }
 }
 

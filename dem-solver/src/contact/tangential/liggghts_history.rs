@@ -28,7 +28,7 @@ impl Tangential for LiggghtsHistory {
         let before = L::select(L::splat(0.0).less(spring.stiffness), spring.stiffness, L::splat(1.0));
         let moved = spring.force * (stiffness / before) + sliding.velocity * (stiffness * sliding.step);
         let flat = moved - sliding.normal * moved.dot(sliding.normal);
-        let held = shortened(flat, sliding.limit).0;
+        let held = shortened(flat, sliding.limit);
         *spring = Spring { force: held, stiffness, ..*spring };
         let slips = (sliding.limit * sliding.limit).less(flat.norm_squared());
         let damping = coefficients.tangential_damping * growth.damping;

@@ -109,14 +109,14 @@ pub trait Tangential {
     ) -> Vec3<L>;
 }
 
-/// The vector, cut to this length where it is longer, and where it was.
+/// The vector, cut to this length if it is longer.
 #[inline(always)]
-pub(super) fn shortened<L: Lanes>(vector: Vec3<L>, length: L) -> (Vec3<L>, L::Mask) {
+pub(super) fn shortened<L: Lanes>(vector: Vec3<L>, length: L) -> Vec3<L> {
     let squared = vector.norm_squared();
     let longer = (length * length).less(squared);
     if !L::any(longer) {
-        return (vector, longer);
+        return vector;
     }
     let one = L::splat(1.0);
-    (vector * L::select(longer, length / L::select(longer, squared, one).sqrt(), one), longer)
+    vector * L::select(longer, length / L::select(longer, squared, one).sqrt(), one)
 }

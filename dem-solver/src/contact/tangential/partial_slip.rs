@@ -52,12 +52,12 @@ impl Tangential for PartialSlip {
             let (inner_before, outer_before) = annuli.edges(k, before);
             let left = left_in_contact(outer - inner, outer_before - inner_before);
             let force = annuli.force[k] * left + slide * (outer - inner);
-            annuli.force[k] = shortened(force, limit).0;
+            annuli.force[k] = shortened(force, limit);
             held = held + annuli.force[k];
         }
         *spring = Spring { force: held, stiffness, ..*spring };
         let damping = coefficients.tangential_damping * growth.damping;
-        shortened(-held - sliding.velocity * damping, sliding.limit).0
+        shortened(-held - sliding.velocity * damping, sliding.limit)
     }
 }
 
