@@ -2,7 +2,7 @@
 
 use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
 
-/// Asks for a row that is needed soon; a row that is not there is not asked for in vain, only in silence.
+/// Asks for a row that is needed soon: a hint, which changes nothing but the time that its first use takes.
 #[inline(always)]
 pub fn prefetch<Row>(rows: &[Row], at: u32) {
     // SAFETY: a hint reads nothing, whatever the address.

@@ -3,7 +3,8 @@
 use crate::contact::stored_energy;
 use crate::critical_time_step::{Substep, critical_time_step, substeps};
 use crate::error::DemError;
-use crate::grains::{Grain, Motion};
+use crate::grains::Grain;
+use crate::kinetic_energy::kinetic_energies;
 use crate::scene::Scene;
 use crate::window::window;
 use crate::workspace::Workspace;
@@ -56,8 +57,7 @@ impl Runner {
 
     /// Kinetic energy \[J\].
     pub fn kinetic_energy(&self) -> f64 {
-        let moving = self.world.grains.motion.iter().filter(|motion| !motion.is_frozen());
-        moving.map(Motion::kinetic_energy).sum()
+        kinetic_energies(&self.world).iter().sum()
     }
 
     /// Kinetic, stored and potential energy \[J\].
