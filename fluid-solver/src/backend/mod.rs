@@ -2,6 +2,7 @@
 
 pub mod eulerian;
 pub mod imposed;
+pub mod pfem;
 
 use crate::error::FluidError;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
