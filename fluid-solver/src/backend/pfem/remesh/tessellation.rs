@@ -33,8 +33,16 @@ impl HasPosition for Numbered {
 }
 
 impl Tessellation {
-    /// Triangulates the nodes that are no drops and not to go.
-    pub fn triangulate(&mut self, cloud: &Cloud<2, 3>, draft: &Draft) {
+    /// Triangulates the nodes that are no drops and not to go; of nodes at the same place one stays.
+    pub fn triangulate(&mut self, cloud: &mut Cloud<2, 3>, draft: &mut Draft) {
+        self.triangulate_distinct(cloud, draft);
+        if self.made.misses_points() {
+            draft.unite_coincident(cloud);
+            self.triangulate_distinct(cloud, draft);
+        }
+    }
+
+    fn triangulate_distinct(&mut self, cloud: &Cloud<2, 3>, draft: &Draft) {
         self.points.clear();
         self.node_of.clear();
         self.point_of.clear();
