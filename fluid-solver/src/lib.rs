@@ -1,7 +1,9 @@
 //! Fluid: meshes, stabilised finite elements, void fraction, sampling and deposition; knows no contact.
 
 pub mod backend;
+mod bench;
 pub mod boundary;
+mod command;
 mod couple;
 pub mod deposit;
 pub mod element;
