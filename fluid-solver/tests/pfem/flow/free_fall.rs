@@ -25,7 +25,7 @@ fn fall<const D: usize, const N: usize>(cells: [usize; D]) {
     for (x, start) in cloud.place.iter().zip(&start) {
         for k in 0..D {
             let fallen = if k == D - 1 { 0.5 * G * time * time } else { 0.0 };
-            assert!((start[k] - x[k] - fallen).abs() <= 1e-13, "{:e}", start[k] - x[k] - fallen);
+            assert!((start[k] - x[k] - fallen).abs() <= 1e-12, "{:e}", start[k] - x[k] - fallen);
         }
     }
 }
