@@ -1,22 +1,23 @@
 //! The cavity that a point digs, and the cells that fill it.
 
 use super::mesh::{Cell, Face, GHOST, Mark, Mesh};
-use super::ridges::Ridges;
+use super::ridges::{Reversed, Ridges};
+use crate::predicate::{circumsphere, face};
 
-/// A face of the cavity's rim and the point: the cell to be.
+/// A cell to be: from a face of the cavity's rim to the point, which is its last corner.
 #[derive(Clone, Copy)]
-struct Rim<const N: usize> {
+struct Star<const N: usize> {
     corners: [u32; N],
-    /// Which corner is the point.
-    at: usize,
     outside: Face,
+    cell: u32,
+    reversed: Reversed<N>,
 }
 
 /// Insertion of a point, with the scratch it needs.
 #[derive(Default)]
 pub struct Cavity<const N: usize> {
     inside: Vec<u32>,
-    rim: Vec<Rim<N>>,
+    stars: Vec<Star<N>>,
     ridges: Ridges<N>,
 }
 
@@ -30,63 +31,64 @@ impl<const N: usize> Cavity<N> {
     #[inline(always)]
     pub fn insert<const D: usize>(&mut self, mesh: &mut Mesh<D, N>, point: u32, seed: u32) -> u32 {
         self.dig(mesh, point, seed);
-        self.fill(mesh)
+        self.fill(mesh);
+        self.stars.iter().rev().find(|star| !star.corners.contains(&GHOST)).map_or(seed, |star| star.cell)
     }
 
     /// Collects the cells that the point conflicts with; they hang together.
     #[inline(always)]
     fn dig<const D: usize>(&mut self, mesh: &mut Mesh<D, N>, point: u32, seed: u32) {
         self.inside.clear();
-        self.rim.clear();
+        self.stars.clear();
         self.inside.push(seed);
         mesh.marks[seed as usize] = Mark::Inside;
         let mut next = 0;
         while let Some(cell) = self.inside.get(next) {
-            let this = *mesh.cell(*cell);
+            let Cell { corners, neighbours, .. } = *mesh.cell(*cell);
             next += 1;
             for at in 0..N {
-                let outside = this.neighbours[at];
-                let other = outside.cell() as usize;
-                match mesh.marks[other] {
+                let outside = neighbours[at];
+                let other = outside.cell();
+                match mesh.marks[other as usize] {
                     Mark::Inside => continue,
-                    Mark::Open if mesh.conflicts(other as u32, point) => {
-                        mesh.marks[other] = Mark::Inside;
-                        self.inside.push(other as u32);
+                    Mark::Open if mesh.conflicts(other, point) => {
+                        mesh.marks[other as usize] = Mark::Inside;
+                        self.inside.push(other);
                         continue;
                     }
-                    _ => mesh.marks[other] = Mark::Outside,
+                    _ => mesh.marks[other as usize] = Mark::Outside,
                 }
-                let mut corners = this.corners;
-                corners[at] = point;
-                self.rim.push(Rim { corners, at, outside });
+                let corners = face(&corners, at, point);
+                self.stars.push(Star { corners, outside, cell: 0, reversed: [0; N] });
             }
         }
     }
 
     /// Fills the cavity with the cells between its rim and the point.
     #[inline(always)]
-    fn fill<const D: usize>(&mut self, mesh: &mut Mesh<D, N>) -> u32 {
-        let mut real = 0;
-        self.ridges.clear();
-        for (k, rim) in self.rim.iter().enumerate() {
-            let cell = if k < self.inside.len() { self.inside[k] } else { mesh.place() };
-            let mut neighbours = [Face::default(); N];
-            neighbours[rim.at] = rim.outside;
-            mesh.cells[cell as usize] = Cell { corners: rim.corners, neighbours };
-            mesh.marks[cell as usize] = Mark::Open;
-            let outside = &mut mesh.cells[rim.outside.cell() as usize];
-            outside.neighbours[rim.outside.opposite()] = Face::new(cell, rim.at);
-            mesh.marks[rim.outside.cell() as usize] = Mark::Open;
-            self.ridges.add(cell, rim.corners, rim.at);
-            if !rim.corners.contains(&GHOST) {
-                real = cell;
-            }
+    fn fill<const D: usize>(&mut self, mesh: &mut Mesh<D, N>) {
+        let Self { inside, stars, ridges } = self;
+        ridges.clear();
+        for (k, star) in stars.iter_mut().enumerate() {
+            star.cell = if k < inside.len() { inside[k] } else { mesh.place() };
+            star.reversed = ridges.note(star.cell, star.corners);
         }
-        for cell in self.inside.iter().skip(self.rim.len()) {
+        for star in &*stars {
+            let mut neighbours = ridges.fellows(&star.reversed);
+            neighbours[D] = star.outside;
+            let sphere = circumsphere(star.corners.map(|corner| mesh.point(corner)));
+            mesh.cells[star.cell as usize] = Cell { corners: star.corners, neighbours, sphere };
+            mesh.marks[star.cell as usize] = Mark::Open;
+            let outside = star.outside.cell() as usize;
+            mesh.cells[outside].neighbours[star.outside.opposite()] = Face::new(star.cell, D);
+            mesh.marks[outside] = Mark::Open;
+        }
+        if ridges.overflow() {
+            ridges.join(mesh, stars.iter().map(|star| star.cell));
+        }
+        for cell in inside.iter().skip(stars.len()) {
             mesh.marks[*cell as usize] = Mark::Free;
             mesh.free.push(*cell);
         }
-        self.ridges.join(mesh);
-        real
     }
 }

@@ -1,16 +1,21 @@
 //! Cells while points are inserted: those of the triangulation and a ghost behind every face of its hull.
 
+#[cfg(doc)]
+use crate::predicate::circumsphere;
+
 /// The ghost: the corner at infinity of the cells behind the hull. It is point 0; its coordinates are not numbers.
 pub const GHOST: u32 = 0;
 
 /// A cell and how it hangs together.
 #[derive(Clone, Copy)]
-#[repr(align(32))]
+#[repr(align(64))]
 pub struct Cell<const N: usize> {
     /// Corners, as places in [`Mesh::points`].
     pub corners: [u32; N],
     /// The face of the neighbour that is the one opposite to each corner.
     pub neighbours: [Face; N],
+    /// Its circumsphere, as [`circumsphere`] gives it.
+    pub sphere: [f64; N],
 }
 
 /// The face of a cell opposite to one of its corners.
@@ -94,7 +99,11 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         if let Some(place) = self.free.pop() {
             return place;
         }
-        self.cells.push(Cell { corners: [GHOST; N], neighbours: [Face::default(); N] });
+        self.cells.push(Cell {
+            corners: [GHOST; N],
+            neighbours: [Face::default(); N],
+            sphere: [f64::NAN; N],
+        });
         self.marks.push(Mark::Free);
         (self.cells.len() - 1) as u32
     }

@@ -1,43 +1,14 @@
 //! Which of the cells that fill a cavity are neighbours: those that share a ridge of its rim.
 
 use super::mesh::{Face, Mesh};
-use crate::predicate::FACE;
 
 /// A rim of up to so many corners is joined by a table.
 const MOST: usize = 64;
 
-/// A new cell: the numbers of its corners on the rim, and which corner is the point.
-#[derive(Clone, Copy)]
-struct Star<const N: usize> {
-    cell: u32,
-    at: usize,
-    numbers: [u32; N],
-}
+/// Where the table holds the faces that no ridge leads to.
+const NOWHERE: u16 = 0;
 
-impl<const N: usize> Star<N> {
-    /// The ridge on the face opposite to a corner, as this cell sees it: in space a pair of corners, in the plane a corner
-    /// and a sense. The cell on the other side of the face sees the reversed pair.
-    #[inline(always)]
-    fn ridge(&self, opposite: usize) -> [usize; 2] {
-        if N == 3 {
-            let corner = self.numbers[3 - self.at - opposite] as usize;
-            if (self.at + 1) % 3 == opposite { [corner, MOST - 1] } else { [MOST - 1, corner] }
-        } else {
-            // The face opposite to the point, turned so that it begins with the other corner.
-            let face = FACE[self.at];
-            let begin = face.iter().position(|k| *k == opposite).unwrap_or(0);
-            [1, 2].map(|k| self.numbers[face[(begin + k) % 3]] as usize)
-        }
-    }
-
-    /// Corners that are not the point.
-    fn others(&self) -> impl Iterator<Item = usize> + use<N> {
-        let at = self.at;
-        (0..N).filter(move |k| *k != at)
-    }
-}
-
-/// Ridges of a rim and the new faces on them.
+/// Ridges of a rim and the new faces on them. The point is the last corner of every new cell.
 ///
 /// Two new faces meet in every ridge and see it in opposite senses. So each notes itself in a table under the ridge as it
 /// sees it and looks its fellow up under the reversed one (Marot, Pellerin & Remacle 2019); what the table held before is
@@ -47,17 +18,24 @@ pub struct Ridges<const N: usize> {
     number: Vec<u32>,
     first: u32,
     count: u32,
-    stars: Vec<Star<N>>,
-    table: Box<[[Face; MOST]; MOST]>,
-    list: Vec<([usize; 2], Face)>,
+    table: Box<[Face; MOST * MOST]>,
+    list: Vec<([u32; 2], Face)>,
 }
 
 impl<const N: usize> Default for Ridges<N> {
     fn default() -> Self {
-        let table = Box::new([[Face::default(); MOST]; MOST]);
-        Self { number: vec![], first: 1, count: 0, stars: vec![], table, list: vec![] }
+        Self {
+            number: vec![],
+            first: 1,
+            count: 0,
+            table: Box::new([Face::default(); MOST * MOST]),
+            list: vec![],
+        }
     }
 }
+
+/// Ridges of a new cell opposite to each of its corners, reversed.
+pub type Reversed<const N: usize> = [u16; N];
 
 impl<const N: usize> Ridges<N> {
     /// Makes ready for a mesh of so many points.
@@ -70,7 +48,6 @@ impl<const N: usize> Ridges<N> {
     /// Begins a new rim.
     #[inline(always)]
     pub fn clear(&mut self) {
-        self.stars.clear();
         self.first += self.count;
         self.count = 0;
         if self.first > u32::MAX / 2 {
@@ -79,50 +56,65 @@ impl<const N: usize> Ridges<N> {
         }
     }
 
-    /// Adds a new cell whose corner `at` is the point.
+    /// Whether the rim has more corners than the table has numbers.
     #[inline(always)]
-    pub fn add(&mut self, cell: u32, corners: [u32; N], at: usize) {
-        let mut star = Star { cell, at, numbers: [0; N] };
-        for k in star.others() {
-            let number = &mut self.number[corners[k] as usize];
-            if *number < self.first {
-                *number = self.first + self.count;
-                self.count += 1;
-            }
-            star.numbers[k] = *number - self.first;
-        }
-        self.stars.push(star);
+    pub fn overflow(&self) -> bool {
+        self.count as usize >= MOST
     }
 
-    /// Makes the new cells neighbours across the faces that they share.
+    /// Number of a corner on this rim.
     #[inline(always)]
-    pub fn join<const D: usize>(&mut self, mesh: &mut Mesh<D, N>) {
-        if self.count as usize >= MOST {
-            return self.join_many(mesh);
+    fn number(&mut self, corner: u32) -> usize {
+        let number = &mut self.number[corner as usize];
+        if *number < self.first {
+            *number = self.first + self.count;
+            self.count += 1;
         }
-        for star in &self.stars {
-            for k in star.others() {
-                let [a, b] = star.ridge(k);
-                self.table[a][b] = Face::new(star.cell, k);
-            }
-        }
-        for star in &self.stars {
-            for k in star.others() {
-                let [a, b] = star.ridge(k);
-                mesh.cells[star.cell as usize].neighbours[k] = self.table[b][a];
-            }
-        }
+        (*number - self.first) as usize
     }
 
-    /// The same for a rim of many corners: sorting brings the two faces on a ridge together.
+    /// Notes the faces of a new cell; returns where their fellows will be noted.
+    #[inline(always)]
+    pub fn note(&mut self, cell: u32, corners: [u32; N]) -> Reversed<N> {
+        let ridges = if N == 3 {
+            // A corner and a sense.
+            let (a, b) = (self.number(corners[0]) + 1, self.number(corners[1]) + 1);
+            [[b, 0], [0, a], [0, 0]]
+        } else {
+            let (a, b, c) = (self.number(corners[0]), self.number(corners[1]), self.number(corners[2]));
+            [[b, c], [c, a], [a, b]]
+        };
+        let mut reversed = [NOWHERE; N];
+        for k in 0..N - 1 {
+            let [a, b] = ridges[k];
+            self.table[(a * MOST + b) % (MOST * MOST)] = Face::new(cell, k);
+            reversed[k] = ((b * MOST + a) % (MOST * MOST)) as u16;
+        }
+        reversed
+    }
+
+    /// What was noted there.
+    #[inline(always)]
+    pub fn fellows(&self, reversed: &Reversed<N>) -> [Face; N] {
+        let mut fellows = [Face::default(); N];
+        for k in 0..N - 1 {
+            fellows[k] = self.table[usize::from(reversed[k]) % (MOST * MOST)];
+        }
+        fellows
+    }
+
+    /// Makes new cells neighbours if the rim has too many corners for the table: sorting brings the two faces on a ridge
+    /// together.
     #[cold]
-    fn join_many<const D: usize>(&mut self, mesh: &mut Mesh<D, N>) {
+    pub fn join<const D: usize>(&mut self, mesh: &mut Mesh<D, N>, cells: impl Iterator<Item = u32>) {
         self.list.clear();
-        for star in &self.stars {
-            self.list.extend(star.others().map(|k| {
-                let [a, b] = star.ridge(k);
-                ([a.min(b), a.max(b)], Face::new(star.cell, k))
-            }));
+        for cell in cells {
+            let corners = mesh.cell(cell).corners;
+            for k in 0..D {
+                let mut ridge = (0..D).filter(|other| *other != k).map(|other| corners[other]);
+                let [a, b] = [0, 1].map(|_| ridge.next().unwrap_or(u32::MAX));
+                self.list.push(([a.min(b), a.max(b)], Face::new(cell, k)));
+            }
         }
         self.list.sort_unstable_by_key(|(ridge, _)| *ridge);
         for pair in self.list.chunks_exact(2) {

@@ -45,8 +45,11 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
             cells.push(ghost);
         }
         self.cells.clear();
-        self.cells
-            .extend(cells.iter().map(|corners| Cell { corners: *corners, neighbours: [Face::default(); N] }));
+        self.cells.extend(cells.iter().map(|corners| Cell {
+            corners: *corners,
+            neighbours: [Face::default(); N],
+            sphere: [f64::NAN; N],
+        }));
         self.marks.clear();
         self.marks.resize(cells.len(), Mark::Open);
         let face = |cell: usize, opposite: usize| {

@@ -6,10 +6,23 @@ mod exact;
 mod perturbed;
 mod plane;
 mod space;
+mod sphere;
 
 pub use exact::{collinear, orientation};
 pub use perturbed::conflict;
-pub use space::FACE;
+use space::FACE;
+pub use sphere::{circumsphere, in_circumsphere};
+
+/// Corners of the face opposite to corner `at`, turned so that the simplex between it and `point` has the sense of the one
+/// that has `point` in the place of that corner.
+#[inline(always)]
+pub fn face<const N: usize>(corners: &[u32; N], at: usize, point: u32) -> [u32; N] {
+    let mut simplex = [point; N];
+    for k in 0..N - 1 {
+        simplex[k] = corners[if N == 3 { (at + k + 1) % 3 } else { FACE[at][k] }];
+    }
+    simplex
+}
 
 /// D! times the volume of a simplex whose corner `at` is replaced by `point`, rounded; the sign may be wrong where it is
 /// close to zero. Not a number if the simplex is a ghost.

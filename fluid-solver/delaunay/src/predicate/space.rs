@@ -11,6 +11,18 @@ pub fn from<const D: usize>(a: &[f64; D], b: &[f64; D]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
+/// |a|².
+#[inline(always)]
+pub fn lift(a: [f64; 3]) -> f64 {
+    a[0] * a[0] + a[1] * a[1] + a[2] * a[2]
+}
+
+/// a × b.
+#[inline(always)]
+pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 /// −a · (b × c): six times the volume of the tetrahedron (a, b, c, 0).
 #[inline(always)]
 pub fn volume(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
@@ -24,7 +36,6 @@ pub fn volume(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
 #[inline(always)]
 pub fn in_sphere([a, b, c, d]: [[f64; 3]; 4]) -> (f64, f64) {
     let minor = |a: [f64; 3], b: [f64; 3]| a[0] * b[1] - b[0] * a[1];
-    let lift = |a: [f64; 3]| a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
     let (ab, bc, cd, da, ac, bd) =
         (minor(a, b), minor(b, c), minor(c, d), minor(d, a), minor(a, c), minor(b, d));
     let abc = a[2] * bc - b[2] * ac + c[2] * ab;
