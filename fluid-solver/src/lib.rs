@@ -15,3 +15,4 @@ pub mod weak_form;
 
 pub use couple::FluidParticipant;
 pub use error::FluidError;
+pub use record::Record;
