@@ -6,7 +6,7 @@ use super::clumps::start;
 use super::region::region;
 use super::sizes::sizes;
 use super::surroundings::material_index;
-use super::{at_key, refused_at};
+use super::refused_at;
 use crate::error::DemError;
 use crate::insertion::{
     Amount, Ball, Batch, Distribution, Feed, Flow, Lattice, LatticeKind, Random, RandomFill, Sizes,
@@ -158,7 +158,7 @@ impl<const D: usize> Place<'_, D> {
     ) -> Result<(), DemError> {
         let key = format!("insertion[{}].file.path", self.index);
         let grains = read_grains(&self.case.folder.join(&file.path))
-            .map_err(|error| at_key(self.case, &key, error))?;
+            .map_err(|error| error.at_key(self.case, &key))?;
         for stated in grains {
             let own = !self.insertion.is_sized();
             let radius = if own { stated.radius } else { Some(batch.sizes.draw(random)) };

@@ -1,7 +1,7 @@
 //! Where moving walls are at one instant.
 
 use super::Walls;
-use super::motion::{Pose, Travel};
+use surface::motion::{Pose, Travel};
 use super::servo::Slide;
 use super::shape::Piece;
 use crate::vector::Vector;

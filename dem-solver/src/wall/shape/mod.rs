@@ -8,12 +8,12 @@ mod side;
 mod sphere;
 mod tube;
 
-use super::motion::Travel;
+use surface::motion::Travel;
 use crate::vector::{Spin, Vector};
 
 pub use cylinder::Cylinder;
 pub use disc::Disc;
-pub use facet::Facet;
+pub use surface::Facet;
 pub use plane::Plane;
 pub use side::Side;
 pub use sphere::Sphere;
