@@ -19,3 +19,4 @@ pub mod weak_form;
 
 pub use couple::FluidParticipant;
 pub use error::FluidError;
+pub use record::Record;

@@ -85,7 +85,8 @@ impl Constrained {
     /// Triangles around a point with its corner in each, counter-clockwise from the hull if it is on it.
     fn fan(&self, point: u32) -> impl Iterator<Item = (usize, usize)> + '_ {
         let start = self.incident[point as usize];
-        let corner = move |c: usize| self.triangulation.cells[c].iter().position(|&p| p == point).unwrap_or(0);
+        let corner =
+            move |c: usize| self.triangulation.cells[c].iter().position(|&p| p == point).unwrap_or(0);
         let mut first = start;
         if start != HULL {
             loop {
@@ -207,7 +208,10 @@ impl Constrained {
 
     /// The corner of triangle `m` that is opposite to triangle `c`.
     fn back(&self, c: usize, m: usize) -> usize {
-        self.triangulation.neighbours[m].iter().position(|&n| n as usize == c).expect("neighbours know each other")
+        self.triangulation.neighbours[m]
+            .iter()
+            .position(|&n| n as usize == c)
+            .expect("neighbours know each other")
     }
 
     /// Turns the diagonal of the two triangles that share the face opposite to corner `i` of `c`.

@@ -28,6 +28,14 @@ pub enum BenchError {
         /// The time \[s\].
         time: f64,
     },
+    /// No window is short enough.
+    #[error("at {time} s a thousandth of the window is too long still: {reason}")]
+    TooLarge {
+        /// Start of the window \[s\].
+        time: f64,
+        /// What the backend says.
+        reason: String,
+    },
     /// The scene is refused.
     #[error(transparent)]
     Case(#[from] CaseError),
@@ -48,6 +56,7 @@ impl BenchError {
         match self {
             Self::OutOfRange { .. } => ExitCode::CommandLine,
             Self::Dry { .. } => ExitCode::Defect,
+            Self::TooLarge { .. } => ExitCode::TimeStepTooSmall,
             Self::Case(error) => error.exit_code(),
             Self::Fluid(error) => error.exit_code(),
             Self::Report(_) | Self::Output(_) => ExitCode::Environment,

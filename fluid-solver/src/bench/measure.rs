@@ -9,17 +9,20 @@ use interface::usage::own_usage;
 
 use super::error::BenchError;
 use super::scene::Scene;
-use crate::backend::{self, FluidBackend, Step};
+use crate::backend::{self, Attempt, FluidBackend, Step};
 
 /// Points along each side of the box at which errors are taken.
 const POINTS: usize = 61;
+
+/// Part of a window below which none is halved again.
+const SMALLEST: f64 = 1e-3;
 
 /// What a run gave and took.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     /// Cells along the shorter side.
     pub cells: usize,
-    /// Windows.
+    /// Windows, those halved counted as they were done.
     pub windows: usize,
     /// Nodes at the end.
     pub nodes: u64,
@@ -57,17 +60,27 @@ pub fn measure(
     let case = Case::load_run(folder, &Overrides::default(), None)?;
     let mut fluid = backend::of(&case, true)?;
     let before = own_usage().cpu_seconds;
-    let mut iterations = 0;
-    for window in 0..windows {
-        let step = Step { time: window as f64 * length, length };
+    let (mut time, mut part, mut done, mut iterations) = (0.0, 1.0, 0, 0);
+    while time < scene.end() * (1.0 - 1e-9) {
+        let step = Step { time, length: (part * length).min(scene.end() - time) };
         fluid.save();
-        iterations += fluid.solve(step, &[])?.iterations;
-        fluid.commit(step);
+        match fluid.solve(step, &[])? {
+            Attempt::Solved(solution) => {
+                iterations += solution.iterations;
+                fluid.commit(step)?;
+                (time, part, done) = (step.end(), 1.0, done + 1);
+            }
+            Attempt::TooLarge(_) if part > SMALLEST => {
+                fluid.restore();
+                part *= 0.5;
+            }
+            Attempt::TooLarge(refused) => return Err(BenchError::TooLarge { time, reason: refused.reason }),
+        }
     }
     let seconds = own_usage().cpu_seconds - before;
     Ok(Measured {
         cells,
-        windows,
+        windows: done,
         nodes: fluid.nodes(),
         error: error(scene, fluid.as_ref())?,
         seconds,
