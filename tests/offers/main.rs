@@ -153,7 +153,7 @@ fn go(
         std::fs::create_dir_all(out.join(folder)).unwrap();
     }
     let set = vec![format!("time.window=\"{window}\"")];
-    let case = Case::load(case, &Overrides { set: set.clone(), variant: None }).unwrap();
+    let case = Case::load_run(case, &Overrides { set: set.clone(), variant: None }, None).unwrap();
     let (coupler, dem, fluid) = in_process::connect(RunId::new());
     let part = Assignment {
         run: String::new(),
