@@ -277,7 +277,7 @@ mod tests {
     }
 
     fn check(points: &[[f64; 2]], made: &Constrained, total: f64) {
-        let Triangulation { cells, neighbours } = &made.triangulation;
+        let Triangulation { cells, neighbours, .. } = &made.triangulation;
         assert!(cells.iter().all(|cell| area(points, cell) > 0.0));
         assert!((cells.iter().map(|cell| area(points, cell)).sum::<f64>() - total).abs() < 1e-12);
         for (c, around) in neighbours.iter().enumerate() {
