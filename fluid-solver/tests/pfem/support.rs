@@ -4,7 +4,7 @@ use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
 use fluid_solver::backend::pfem::flow::{Control, Flow, FlowSolution, Fluid, Forces};
 use fluid_solver::backend::pfem::wall::{Contacts, Grip, Plane, Shape, Wall};
-use fluid_solver::element::simplex::dot;
+use fluid_solver::element::simplex::{dot, volume_and_areas};
 use fluid_solver::mesh::generate::{BoxMesh, Jitter};
 use std::collections::HashMap;
 
@@ -106,4 +106,8 @@ pub fn advance<const D: usize, const N: usize>(
 
 pub fn largest_speed<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
     cloud.velocity.iter().map(|v| dot(v, v).sqrt()).fold(0.0, f64::max)
+}
+
+pub fn volume<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
+    cloud.cells.iter().map(|cell| volume_and_areas(&cloud.vertices(cell)).0).sum()
 }

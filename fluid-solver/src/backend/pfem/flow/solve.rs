@@ -5,7 +5,7 @@ use super::contact::{Contact, moved};
 use super::fault::FlowFault;
 use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::{Assembly, Fields};
-use super::preconditioner::{self, Pressure, StepPreconditioner};
+use super::preconditioner::{Preconditioning, StepPreconditioner};
 use super::solution::{FlowSolution, Residuals};
 use super::strain::Strain;
 use super::topology::Topology;
@@ -41,8 +41,8 @@ pub struct Fluid {
 pub struct Control {
     /// Norm of the residual relative to that of the predictor and of the inertia of the flow.
     pub tolerance: f64,
-    /// θ: forces are those at t_n + θΔt and v_{n+1} = v_n + (v_m − v_n)/θ. One half is of second order and keeps the
-    /// energy; more damps what rings from step to step.
+    /// θ: v_m = v_n + θΔt v′ and v_{n+1} = v_n + Δt v′. One half is of second order and keeps the energy; more damps what
+    /// rings from step to step, 1 takes all that an impact leaves.
     pub implicitness: f64,
     /// How far a cell may be strained in a step.
     pub strain: Strain,
@@ -75,11 +75,10 @@ pub struct Flow<const D: usize, const N: usize> {
     fluid: Fluid,
     control: Control,
     /// Of the mesh that was there last.
-    mesh: Option<(Topology<N>, Pressure)>,
+    mesh: Option<(Topology<N>, Preconditioning<D>)>,
     assembly: Assembly<D, N>,
     contact: Contact<D>,
     excess: Vec<Vector<D>>,
-    preconditioning: preconditioner::Scratch<D>,
     /// The rows at the iterate.
     rows: Vec<f64>,
     /// Their negative in the free directions.
@@ -106,7 +105,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             assembly: Assembly::default(),
             contact: Contact::default(),
             excess: Vec::new(),
-            preconditioning: preconditioner::Scratch::default(),
             rows: Vec::new(),
             right: Vec::new(),
             increment: Vec::new(),
@@ -117,6 +115,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// The fluid.
     pub fn fluid(&self) -> &Fluid {
         &self.fluid
+    }
+
+    /// Takes another θ from the next step on.
+    pub fn set_implicitness(&mut self, implicitness: f64) {
+        self.control.implicitness = implicitness;
     }
 
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
@@ -153,8 +156,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             Some(mesh) if mesh.0.is_of(nodes, &cloud.cells) => mesh,
             _ => {
                 let topology = Topology::new(nodes, &cloud.cells)?;
-                let pressure = Pressure::new(&topology);
-                (topology, pressure)
+                let preconditioning = Preconditioning::new(&topology);
+                (topology, preconditioning)
             }
         };
         self.excess.resize(nodes, [0.0; D]);
@@ -176,9 +179,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// Drops fly, and stop at walls.
     fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
         let Start { cloud, walls, step, forces } = start;
-        let implicit = self.control.implicitness * step.length;
         for (_, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
-            *v = moved(v, implicit, &forces.gravity);
+            *v = moved(v, 0.5 * step.length, &forces.gravity);
         }
         self.contact.find(cloud, walls, step, velocity);
     }
@@ -187,7 +189,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     fn improve(
         &mut self,
         start: Start<'_, D, N>,
-        (topology, schur): &mut (Topology<N>, Pressure),
+        (topology, preconditioning): &mut (Topology<N>, Preconditioning<D>),
         velocity: &mut [Vector<D>],
         pressure: &mut [f64],
     ) -> Result<Progress, FlowFault> {
@@ -203,8 +205,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             self.evaluate(start, topology, velocity, pressure);
             let (momentum_size, force_size) = self.sizes(start, topology, velocity, pressure);
 
-            let Self { assembly, excess, contact, right, increment, rows, krylov, preconditioning, .. } =
-                self;
+            let Self { assembly, excess, contact, right, increment, rows, krylov, .. } = self;
             let spacing = (vector::sum(&assembly.volumes) / velocity.len() as f64).powf(1.0 / D as f64);
             let operator = StepOperator {
                 topology,
@@ -242,18 +243,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                     target: allowed,
                 });
             }
-            {
+            if progress.passes == 0 {
                 let assembly = &operator.scratch.borrow().assembly;
-                preconditioning.refresh(topology, assembly, inertia);
-                if progress.passes == 0 {
-                    schur.refresh(cloud, assembly, 1.0 / inertia, compressibility)?;
-                }
+                let rates = (inertia, compressibility);
+                preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates)?;
             }
             increment.fill(0.0);
             let absolute = (FORCING * norm).max(0.5 * allowed);
             let stopping = Stopping { relative: 0.0, absolute, iterations: ITERATIONS[1] };
-            let mut preconditioner =
-                StepPreconditioner { operator: &operator, pressure: schur, scratch: preconditioning };
+            let mut preconditioner = StepPreconditioner { operator: &operator, parts: preconditioning };
             let outcome = krylov.solve(&operator, &mut preconditioner, right, increment, stopping);
             progress.iterations += outcome.iterations as u64;
             progress.passes += 1;
@@ -275,8 +273,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let Start { cloud, step, forces, .. } = start;
         let (inertia, compressibility) = (self.inertia(step), self.compressibility(step));
         let Fluid { density, viscosity, .. } = self.fluid;
-        let implicit = self.control.implicitness * step.length;
-        let place = |node: usize| moved(&cloud.place[node], implicit, &velocity[node]);
+        let place = |node: usize| moved(&cloud.place[node], 0.5 * step.length, &velocity[node]);
         self.assembly.place(topology, place, inertia, viscosity);
         for_each(&mut self.excess, |node, e| {
             let (v, before) = (&velocity[node], &cloud.velocity[node]);
@@ -344,18 +341,19 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let mut reaction = vec![[0.0; D]; mass.len()];
         for node in 0..mass.len() {
             let (before, middle) = (&cloud.velocity[node], &velocity[node]);
-            let change: Vector<D> =
-                std::array::from_fn(|k| (middle[k] - before[k]) / self.control.implicitness);
+            let flies = self.assembly.volumes[node] == 0.0;
+            let implicitness = if flies { 0.5 } else { self.control.implicitness };
+            let change: Vector<D> = std::array::from_fn(|k| (middle[k] - before[k]) / implicitness);
             let end = &mut end_velocity[node];
             *end = moved(end, 1.0, &change);
             if is_free(node) {
-                if self.assembly.volumes[node] > 0.0 {
+                if !flies {
                     *end = moved(end, -1.0, &drift);
                 }
                 continue;
             }
             *end = self.contact.at_end(cloud, walls, step, node, middle, end);
-            let other: Vector<D> = if cloud.drop[node] > 0.0 {
+            let other: Vector<D> = if flies {
                 forces.gravity.map(|g| mass[node] * g)
             } else {
                 std::array::from_fn(|k| mass[node] * change[k] / step.length - rows[node][k])
