@@ -7,6 +7,7 @@
 
 pub mod bins;
 mod build;
+mod corners;
 mod error;
 pub mod generate;
 pub mod gmsh;
@@ -17,6 +18,7 @@ mod scale;
 mod surface;
 mod topology;
 
+pub use corners::Corners;
 pub use build::{MeshParts, PeriodicPairs};
 pub use error::{MeshError, Place};
 pub use particles::Linked;
