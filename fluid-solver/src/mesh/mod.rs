@@ -18,8 +18,8 @@ mod scale;
 mod surface;
 mod topology;
 
-pub use corners::Corners;
 pub use build::{MeshParts, PeriodicPairs};
+pub use corners::Corners;
 pub use error::{MeshError, Place};
 pub use particles::Linked;
 pub use periodicity::{Period, Periodicity};

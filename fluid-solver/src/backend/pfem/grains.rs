@@ -17,7 +17,7 @@ use interface::ledger::FluidLedger;
 /// The solution of a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Solved<'a, const D: usize> {
-    /// Velocity v_m that moves the nodes (m/s).
+    /// Velocity v_m of the step, that moves the nodes and makes the viscous stress (m/s).
     pub carrier: &'a [Vector<D>],
     /// v_{n+1} (m/s).
     pub velocity: &'a [Vector<D>],
@@ -54,6 +54,7 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
     source: Vec<f64>,
     drag: NodalDrag<D>,
     compliance: Vec<Compliance>,
+    /// u that is sampled, at the end of the step (m/s).
     velocity: Vec<Vector<D>>,
     recovered: Vec<Recovered<D>>,
     places: Vec<Vector<D>>,
@@ -121,6 +122,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
         self.begin(cloud)?;
         if !rows.is_empty() {
             let steady = vec![[0.0; D]; cloud.place.len()];
+            self.velocity.clone_from(&cloud.velocity);
             self.recover(&cloud.velocity, &cloud.pressure, &steady);
         }
         Ok(())
@@ -164,12 +166,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     ///
     /// # Errors
     /// As [`Self::populate`].
-    pub fn project(
-        &mut self,
-        cloud: &Cloud<D, N>,
-        step: Step,
-        rows: &[GrainRow],
-    ) -> Result<(), FluidError> {
+    pub fn project(&mut self, cloud: &Cloud<D, N>, step: Step, rows: &[GrainRow]) -> Result<(), FluidError> {
         self.rows.clear();
         self.rows.extend_from_slice(rows);
         self.move_mesh(cloud, step.length);
@@ -213,7 +210,9 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
         let change = solved.velocity.iter().zip(&cloud.velocity);
         let rate: Vec<Vector<D>> =
             change.map(|(new, old)| std::array::from_fn(|k| (new[k] - old[k]) / step.length)).collect();
-        self.recover(solved.velocity, solved.pressure, &rate);
+        self.velocity.clear();
+        self.velocity.extend_from_slice(solved.velocity);
+        self.recover(solved.carrier, solved.pressure, &rate);
     }
 
     /// Adds what crosses between grains and fluid to the books of a step that has been felt: drag, stress, explicit forces,
@@ -274,8 +273,6 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Recovers the fields on the mesh as it is.
     fn recover(&mut self, velocity: &[Vector<D>], pressure: &[f64], rate: &[Vector<D>]) {
-        self.velocity.clear();
-        self.velocity.extend_from_slice(velocity);
         let felt = Felt {
             velocity,
             pressure,
@@ -288,13 +285,20 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// ∮(1 − ε)(τ − p I)·n over the boundary of the mesh as it is (N; N/m in 2D).
     fn traction_on_solids(&self, solved: Solved<'_, D>) -> Vector<D> {
+        let felt = Felt {
+            velocity: solved.carrier,
+            pressure: solved.pressure,
+            pressure_before: solved.pressure,
+            rate: Rate::Material(&[]),
+            viscosity: self.medium.viscosity,
+        };
         let mut sum = [0.0; D];
         for face in self.mesh.boundary() {
             let facet = Facet { area: self.mesh.area_vector(face) };
             let solids = face.points.map(|node| 1.0 - self.grains.void_fraction[node as usize]);
             let pressure = facet.product(&solids, &face.points.map(|node| solved.pressure[node as usize]));
             let mean = solids.iter().sum::<f64>() / D as f64;
-            let stress = self.felt(solved).stress(&self.mesh, face.cell as usize);
+            let stress = felt.stress(&self.mesh, face.cell as usize);
             for k in 0..D {
                 sum[k] += mean * dot(&stress[k], &facet.area) - pressure[k];
             }

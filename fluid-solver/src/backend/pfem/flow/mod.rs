@@ -15,10 +15,12 @@ mod contact;
 mod fault;
 mod krylov;
 mod nodal;
+mod porous;
 mod preconditioner;
 mod solution;
 mod solve;
 mod strain;
+mod suspended;
 mod topology;
 
 pub use fault::FlowFault;

@@ -3,6 +3,7 @@
 use super::chunks::for_each;
 use super::krylov::{StepOperator, split, split_mut};
 use super::nodal::{Assembly, Fields};
+use super::suspended::{Part, Suspended};
 use super::topology::Topology;
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::{Vector, dot};
@@ -47,11 +48,17 @@ impl Pressure {
         &mut self,
         cloud: &Cloud<D, N>,
         assembly: &Assembly<D, N>,
-        mobility: f64,
+        inertia: f64,
         compressibility: f64,
+        grains: Option<Suspended<'_, D, N>>,
     ) -> Result<(), linear::Error> {
+        let mobility = |index: usize, nodes: &[u32; N]| match &grains {
+            Some(grains) => grains.mobility(index, nodes, inertia),
+            None => 1.0 / inertia,
+        };
         self.matrix.values_mut().fill(0.0);
-        for (nodes, cell) in cloud.cells.iter().zip(&assembly.cells) {
+        for (index, (nodes, cell)) in cloud.cells.iter().zip(&assembly.cells).enumerate() {
+            let mobility = mobility(index, nodes);
             for i in 0..N {
                 for j in 0..N {
                     let entry = mobility * cell.inverse * dot(&cell.areas[i], &cell.areas[j]);
@@ -61,6 +68,7 @@ impl Pressure {
         }
         cloud.for_each_free_face(|index, opposite| {
             let (nodes, cell) = (&cloud.cells[index], &assembly.cells[index]);
+            let mobility = mobility(index, nodes);
             let square = dot(&cell.areas[opposite], &cell.areas[opposite]);
             let entry = SURFACE * mobility * cell.inverse * square / (D + 1) as f64;
             for i in (0..N).filter(|&i| i != opposite) {
@@ -121,6 +129,7 @@ impl<const D: usize> Scratch<D> {
         topology: &Topology<N>,
         assembly: &Assembly<D, N>,
         inertia: f64,
+        grains: Option<Suspended<'_, D, N>>,
     ) {
         let nodes = assembly.volumes.len();
         self.diagonal.resize(nodes, 0.0);
@@ -130,6 +139,7 @@ impl<const D: usize> Scratch<D> {
         self.nothing.resize(nodes, 0.0);
         for_each(&mut self.diagonal, |node, diagonal| {
             let mut sum = inertia * assembly.volumes[node];
+            sum += grains.map_or(0.0, |grains| grains.resistance(node));
             let inert = sum;
             for corner in topology.corners(node) {
                 let cell = &assembly.cells[corner.cell as usize];
@@ -165,17 +175,18 @@ impl<const D: usize, const N: usize> Preconditioner for StepPreconditioner<'_, D
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         let ((r_v, r_p), (v, p)) = (split::<D>(r), split_mut::<D>(z));
         let Scratch { diagonal, viscous, momentum, volume, nothing } = &mut *self.scratch;
-        let StepOperator { topology, constraints, inertia, scale, .. } = self.operator;
+        let StepOperator { topology, constraints, inertia, scale, grains, .. } = self.operator;
         for_each(v, |node, v| *v = constraints[node].free(&r_v[node].map(|r| r / diagonal[node])));
         let mut scratch = self.operator.scratch.borrow_mut();
         let super::krylov::Scratch { assembly, excess } = &mut *scratch;
         for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-        let fields = Fields { velocity: v, pressure: nothing, excess };
+        let linear = grains.map(|grains| (grains, Part::Linear));
+        let fields = Fields { velocity: v, pressure: nothing, excess, grains: linear };
         assembly.evaluate(topology, fields, 0.0, momentum, volume);
         for_each(volume, |node, volume| *volume = r_p[node] / scale - *volume);
         self.pressure.apply(volume, p);
         for_each(p, |node, p| *p += viscous[node] * volume[node]);
-        assembly.pressure_forces(topology, p, momentum);
+        assembly.pressure_forces(topology, *grains, p, momentum);
         for_each(v, |node, v| {
             let change = constraints[node].free(&momentum[node].map(|force| force / diagonal[node]));
             *v = std::array::from_fn(|k| v[k] + change[k]);
