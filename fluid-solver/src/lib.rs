@@ -1,7 +1,9 @@
 //! Fluid: meshes, stabilised finite elements, void fraction, sampling and deposition; knows no contact.
 
 pub mod backend;
+mod bench;
 pub mod boundary;
+mod command;
 mod couple;
 pub mod deposit;
 pub mod element;
@@ -12,8 +14,10 @@ mod parallel;
 pub mod program;
 mod record;
 pub mod sample;
+mod stress;
 pub mod void_fraction;
 pub mod weak_form;
 
 pub use couple::FluidParticipant;
 pub use error::FluidError;
+pub use record::Record;

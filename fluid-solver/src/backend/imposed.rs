@@ -1,7 +1,7 @@
 //! `imposed`: a flow stated by expressions of x, y, z, t. It pushes grains and is not pushed: whatever holds
 //! the field as it is takes the grains' reactions.
 
-use super::{FluidBackend, PointValue, Solution, Step};
+use super::{Attempt, FluidBackend, PointValue, Solution, Step};
 use crate::error::FluidError;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use case_io::document::{Document, Field};
@@ -189,7 +189,7 @@ impl FluidBackend for Imposed {
         self.populate(step.end(), grains)
     }
 
-    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Solution, FluidError> {
+    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Attempt, FluidError> {
         let mut ledger = FluidLedger::default();
         for ((grain, sample), reaction) in self.grains.iter().zip(&self.samples).zip(reactions) {
             let volume = self.volume(grain.radius);
@@ -206,7 +206,7 @@ impl FluidBackend for Imposed {
                 ledger.scale += drag.abs() + stress.abs() + explicit.abs();
             }
         }
-        Ok(Solution { ledger, ..Solution::default() })
+        Ok(Attempt::Solved(Solution { ledger, ..Solution::default() }))
     }
 
     fn prepare_samples(&mut self) {}
@@ -215,8 +215,9 @@ impl FluidBackend for Imposed {
         self.samples[row]
     }
 
-    fn commit(&mut self, step: Step) {
+    fn commit(&mut self, step: Step) -> Result<(), FluidError> {
         self.time = step.end();
+        Ok(())
     }
 
     fn at(&self, time: f64, point: [f64; 3]) -> Option<PointValue> {

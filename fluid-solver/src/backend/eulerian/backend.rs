@@ -2,7 +2,7 @@
 
 use super::flow::{Flow, Properties};
 use super::state::State;
-use crate::backend::{FluidBackend, PointValue, Solution, Step};
+use crate::backend::{Attempt, FluidBackend, PointValue, Solution, Step};
 use crate::element::simplex::{Vector, in_space};
 use crate::error::FluidError;
 use crate::grains::{Exchange, FixedMesh, GrainsOnMesh, Medium, Recovered, Taken};
@@ -160,7 +160,7 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
         Ok(())
     }
 
-    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Solution, FluidError> {
+    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Attempt, FluidError> {
         self.grains.react(reactions, self.depth);
         let exchange = if self.response == Response::TwoWay { &self.grains.exchange } else { &self.nobody };
         let iterate = self.iterate.as_ref().map(|(u, p)| (u.as_slice(), p.as_slice()));
@@ -177,7 +177,7 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
         if self.response == Response::OneWay && self.grains.count() > 0 {
             self.book_one_way(step, &mut ledger);
         }
-        Ok(Solution { norms: self.norms(), ledger, iterations })
+        Ok(Attempt::Solved(Solution { norms: self.norms(), ledger, iterations }))
     }
 
     fn prepare_samples(&mut self) {
@@ -191,8 +191,9 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
         self.grains.row(row, self.flow.mesh().measure(), Medium { density, viscosity }, self.depth)
     }
 
-    fn commit(&mut self, step: Step) {
+    fn commit(&mut self, step: Step) -> Result<(), FluidError> {
         self.flow.commit(step);
+        Ok(())
     }
 
     fn at(&self, _time: f64, point: [f64; 3]) -> Option<PointValue> {

@@ -1,18 +1,22 @@
-//! The motion of a wall of a case.
+//! What a case states of a surface.
 
-use case_io::document::{self, Case, MotionTable, unit_vector};
+use case_io::document::{self, Case, MotionTable, SurfaceFile, unit_vector};
 
-use super::at_key;
-use crate::error::DemError;
+use crate::error::InputError;
+use crate::facet::Facet;
+use crate::motion::{Motion, Table, TableRow};
+use crate::triangles::{Format, read_triangles};
 use crate::vector::{Spin, Vector};
-use crate::wall::{Motion, Table, TableRow};
 
-/// The sum of the stated motions.
+/// The sum of the motions stated at a key.
+///
+/// # Errors
+/// A table in a file that cannot be read or is none.
 pub fn motion<const D: usize>(
     case: &Case,
     key: &str,
     stated: &document::Motion,
-) -> Result<Motion<D>, DemError> {
+) -> Result<Motion<D>, InputError> {
     let none = Motion::none();
     let (rotation, over_time) = (stated.rotation.as_ref(), stated.table.as_ref());
     let oscillation = stated.oscillation.as_ref();
@@ -41,13 +45,13 @@ fn table<const D: usize>(
     key: &str,
     stated: &MotionTable,
     rotates: bool,
-) -> Result<Table<D>, DemError> {
+) -> Result<Table<D>, InputError> {
     // Loading has checked that the point of an axis is there where an angle is.
     let turns = stated.point.is_some() && !rotates;
     let axis = if turns { axis(stated.axis.as_deref()) } else { Spin::zeros() };
     if let Some(path) = &stated.path {
         let read = Table::read(&case.folder.join(path), axis);
-        return read.map_err(|error| at_key(case, &format!("{key}.path"), error));
+        return read.map_err(|error| error.at_key(case, &format!("{key}.path")));
     }
     let rows = stated.time.iter().flatten().enumerate().map(|(row, time)| TableRow {
         time: time.si(),
@@ -55,4 +59,18 @@ fn table<const D: usize>(
         angle: stated.angle.as_ref().map_or(0.0, |angles| angles[row].si()),
     });
     Ok(Table::new(axis, rows.collect()))
+}
+
+/// The triangles of the file that is stated at a key.
+///
+/// # Errors
+/// As [`read_triangles`].
+pub fn triangles(
+    case: &Case,
+    key: &str,
+    format: Format,
+    file: &SurfaceFile,
+) -> Result<Vec<Facet<3>>, InputError> {
+    read_triangles(&case.folder.join(&file.path), format, file.scale, file.rims)
+        .map_err(|error| error.at_key(case, &format!("{key}.path")))
 }

@@ -7,8 +7,8 @@ mod stl;
 use std::fs;
 use std::path::Path;
 
-use super::shape::Facet;
-use crate::error::DemError;
+use crate::error::InputError;
+use crate::facet::Facet;
 use crate::flaw::Flaw;
 use crate::vector::Vector;
 
@@ -37,7 +37,7 @@ pub fn read_triangles(
     format: Format,
     scale: f64,
     rims: usize,
-) -> Result<Vec<Facet<3>>, DemError> {
+) -> Result<Vec<Facet<3>>, InputError> {
     read(path, format, |triangles| {
         let facets = sound(triangles, scale)?;
         seams::check(&facets, rims)?;
@@ -49,7 +49,7 @@ pub fn read_triangles(
 ///
 /// # Errors
 /// As [`read_triangles`]; any opening; neighbours that face opposite sides.
-pub fn read_closed(path: &Path, format: Format, scale: f64) -> Result<Vec<Facet<3>>, DemError> {
+pub fn read_closed(path: &Path, format: Format, scale: f64) -> Result<Vec<Facet<3>>, InputError> {
     read(path, format, |triangles| {
         let facets = sound(triangles, scale)?;
         seams::check_closed(&facets)?;
@@ -61,13 +61,13 @@ fn read(
     path: &Path,
     format: Format,
     check: impl FnOnce(Vec<Triangle>) -> Result<Vec<Facet<3>>, Flaw>,
-) -> Result<Vec<Facet<3>>, DemError> {
-    let bytes = fs::read(path).map_err(|source| DemError::Unreadable { path: path.into(), source })?;
+) -> Result<Vec<Facet<3>>, InputError> {
+    let bytes = fs::read(path).map_err(|source| InputError::Unreadable { path: path.into(), source })?;
     let triangles = match format {
         Format::Stl => stl::parse(&bytes),
         Format::Obj => obj::parse(&bytes),
     };
-    triangles.and_then(check).map_err(|flaw| DemError::BadFile { path: path.into(), flaw })
+    triangles.and_then(check).map_err(|flaw| InputError::BadFile { path: path.into(), flaw })
 }
 
 /// The triangles, each of which can be a piece of wall.

@@ -11,12 +11,12 @@ pub struct Flaw {
 
 impl Flaw {
     /// In a line, counted from 1.
-    pub(crate) fn at(line: usize, what: String) -> Flaw {
+    pub fn at(line: usize, what: String) -> Flaw {
         Flaw { line: Some(line), what }
     }
 
     /// Of the file as a whole.
-    pub(crate) fn whole(what: impl Into<String>) -> Flaw {
+    pub fn whole(what: impl Into<String>) -> Flaw {
         Flaw { line: None, what: what.into() }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::csv::Csv;
-use crate::error::DemError;
+use crate::error::InputError;
 use crate::flaw::Flaw;
 use crate::vector::{Spin, Vector};
 
@@ -44,7 +44,7 @@ impl<const D: usize> Table<D> {
     ///
     /// # Errors
     /// A file that cannot be read; fewer than two rows, times that do not ascend, an angle without axis.
-    pub fn read(path: &Path, axis: Spin) -> Result<Self, DemError> {
+    pub fn read(path: &Path, axis: Spin) -> Result<Self, InputError> {
         Csv::read(path, &COLUMNS, &COLUMNS[..1], |csv| Self::of(csv, axis))
     }
 

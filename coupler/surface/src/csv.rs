@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::error::DemError;
+use crate::error::InputError;
 use crate::flaw::Flaw;
 
 /// Rows of finite numbers under known columns.
@@ -46,11 +46,11 @@ impl Csv {
         allowed: &[&str],
         required: &[&str],
         take: impl FnOnce(&Self) -> Result<T, Flaw>,
-    ) -> Result<T, DemError> {
-        let text =
-            fs::read_to_string(path).map_err(|source| DemError::Unreadable { path: path.into(), source })?;
+    ) -> Result<T, InputError> {
+        let text = fs::read_to_string(path)
+            .map_err(|source| InputError::Unreadable { path: path.into(), source })?;
         let taken = Self::parse(&text, allowed, required).and_then(|table| take(&table));
-        taken.map_err(|flaw| DemError::BadFile { path: path.into(), flaw })
+        taken.map_err(|flaw| InputError::BadFile { path: path.into(), flaw })
     }
 
     /// Whether there is a column of this name.
