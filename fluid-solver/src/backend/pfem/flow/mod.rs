@@ -15,11 +15,13 @@ mod contact;
 mod fault;
 mod krylov;
 mod nodal;
+mod porous;
 mod preconditioner;
 mod pressure;
 mod solution;
 mod solve;
 mod strain;
+mod suspended;
 mod topology;
 mod velocity;
 

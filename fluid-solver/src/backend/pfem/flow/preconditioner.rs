@@ -5,6 +5,7 @@ use super::constraint::Constraint;
 use super::krylov::{Scratch, StepOperator, split, split_mut};
 use super::nodal::{Assembly, Fields};
 use super::pressure::Pressure;
+use super::suspended::{Part, Suspended};
 use super::topology::Topology;
 use super::velocity::Velocity;
 use crate::backend::pfem::cloud::Cloud;
@@ -47,9 +48,10 @@ impl<const D: usize> Preconditioning<D> {
         assembly: &Assembly<D, N>,
         constraints: &[Constraint<D>],
         (inertia, compressibility): (f64, f64),
+        grains: Option<Suspended<'_, D, N>>,
     ) -> Result<(), linear::Error> {
-        self.velocity.refresh(topology, assembly, constraints, inertia)?;
-        self.pressure.refresh(cloud, assembly, 1.0 / inertia, compressibility)?;
+        self.velocity.refresh(topology, assembly, constraints, inertia, grains)?;
+        self.pressure.refresh(cloud, assembly, inertia, compressibility, grains)?;
         for_each(&mut self.viscous, |node, viscous| {
             let cells = topology.corners(node).iter().map(|corner| &assembly.cells[corner.cell as usize]);
             let shear: f64 = cells.map(|cell| cell.viscosity / N as f64 * cell.volume).sum();
@@ -77,20 +79,21 @@ impl<const D: usize, const N: usize> Preconditioner for StepPreconditioner<'_, D
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         let ((r_v, r_p), (v, p)) = (split::<D>(r), split_mut::<D>(z));
         let Preconditioning { velocity, pressure, viscous, forces, volumes, no_pressure } = &mut *self.parts;
-        let StepOperator { topology, constraints, inertia, scale, .. } = *self.operator;
+        let StepOperator { topology, constraints, inertia, scale, grains, .. } = *self.operator;
         let Scratch { assembly, excess } = &mut *self.operator.scratch.borrow_mut();
         if velocity.is_viscous() {
             for_each(volumes, |node, volume| *volume = r_p[node] / scale);
         } else {
             velocity.apply(constraints, r_v, v);
             for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-            let fields = Fields { velocity: v, pressure: no_pressure, excess };
+            let linear = grains.map(|grains| (grains, Part::Linear));
+            let fields = Fields { velocity: v, pressure: no_pressure, excess, grains: linear };
             assembly.evaluate(topology, fields, 0.0, forces, volumes);
             for_each(volumes, |node, volume| *volume = r_p[node] / scale - *volume);
         }
         pressure.apply(volumes, p);
         for_each(p, |node, p| *p += viscous[node] * volumes[node]);
-        assembly.pressure_forces(topology, p, forces);
+        assembly.pressure_forces(topology, grains, p, forces);
         if velocity.is_viscous() {
             for_each(forces, |node, force| *force = std::array::from_fn(|k| force[k] + r_v[node][k]));
             velocity.apply(constraints, forces, v);

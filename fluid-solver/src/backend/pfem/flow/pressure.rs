@@ -1,6 +1,7 @@
 //! Approximate inverse of the Schur complement of the pressure.
 
 use super::nodal::Assembly;
+use super::suspended::Suspended;
 use super::topology::Topology;
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::dot;
@@ -42,11 +43,17 @@ impl Pressure {
         &mut self,
         cloud: &Cloud<D, N>,
         assembly: &Assembly<D, N>,
-        mobility: f64,
+        inertia: f64,
         compressibility: f64,
+        grains: Option<Suspended<'_, D, N>>,
     ) -> Result<(), linear::Error> {
+        let mobility = |index: usize, nodes: &[u32; N]| match &grains {
+            Some(grains) => grains.mobility(index, nodes, inertia),
+            None => 1.0 / inertia,
+        };
         self.matrix.values_mut().fill(0.0);
-        for (nodes, cell) in cloud.cells.iter().zip(&assembly.cells) {
+        for (index, (nodes, cell)) in cloud.cells.iter().zip(&assembly.cells).enumerate() {
+            let mobility = mobility(index, nodes);
             for i in 0..N {
                 for j in 0..N {
                     let entry = mobility * cell.inverse * dot(&cell.areas[i], &cell.areas[j]);
@@ -56,6 +63,7 @@ impl Pressure {
         }
         cloud.for_each_free_face(|index, opposite| {
             let (nodes, cell) = (&cloud.cells[index], &assembly.cells[index]);
+            let mobility = mobility(index, nodes);
             let square = dot(&cell.areas[opposite], &cell.areas[opposite]);
             let entry = SURFACE * mobility * cell.inverse * square / (D + 1) as f64;
             for i in (0..N).filter(|&i| i != opposite) {

@@ -5,14 +5,17 @@ use super::contact::{Contact, moved};
 use super::fault::FlowFault;
 use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::{Assembly, Fields};
+use super::porous::Porous;
 use super::preconditioner::{Preconditioning, StepPreconditioner};
 use super::solution::{FlowSolution, Residuals};
 use super::strain::Strain;
+use super::suspended::{Part, Suspended};
 use super::topology::Topology;
 use crate::backend::Step;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::{Vector, dot};
+use crate::grains::Suspension;
 use linear::{FlexibleGmres, Stopping, vector};
 use std::cell::RefCell;
 
@@ -55,10 +58,12 @@ impl Default for Control {
 }
 
 /// What acts on the fluid from outside.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Forces<const D: usize> {
+#[derive(Clone, Copy, Debug)]
+pub struct Forces<'a, const D: usize> {
     /// g (m/s²).
     pub gravity: Vector<D>,
+    /// The grains in it, if any.
+    pub grains: Option<Suspension<'a, D>>,
 }
 
 /// What a step starts from.
@@ -67,7 +72,15 @@ struct Start<'a, const D: usize, const N: usize> {
     cloud: &'a Cloud<D, N>,
     walls: &'a [Wall<D>],
     step: Step,
-    forces: &'a Forces<D>,
+    forces: &'a Forces<'a, D>,
+}
+
+impl<const D: usize, const N: usize> Start<'_, D, N> {
+    /// The grains, with the cells that they make porous.
+    fn suspended<'a>(&'a self, cells: &'a [Porous<D, N>], implicitness: f64) -> Option<Suspended<'a, D, N>> {
+        let suspension = self.forces.grains.as_ref()?;
+        Some(Suspended { suspension, before: &self.cloud.velocity, implicitness, cells })
+    }
 }
 
 /// Solves steps; holds nothing that a step depends on but what fluid it is.
@@ -81,6 +94,7 @@ pub struct Flow<const D: usize, const N: usize> {
     assembly: Assembly<D, N>,
     contact: Contact<D>,
     excess: Vec<Vector<D>>,
+    porous: Vec<Porous<D, N>>,
     /// The rows at the iterate.
     rows: Vec<f64>,
     /// Their negative in the free directions.
@@ -108,6 +122,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             assembly: Assembly::default(),
             contact: Contact::default(),
             excess: Vec::new(),
+            porous: Vec::new(),
             rows: Vec::new(),
             right: Vec::new(),
             increment: Vec::new(),
@@ -151,7 +166,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         cloud: &Cloud<D, N>,
         walls: &[Wall<D>],
         step: Step,
-        forces: &Forces<D>,
+        forces: &Forces<'_, D>,
     ) -> Result<FlowSolution<D>, FlowFault> {
         let start = Start { cloud, walls, step, forces };
         // The middle of a step would turn the part of v round that a blow takes away.
@@ -208,16 +223,19 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 *v = constraint.impose(v);
             }
             self.evaluate(start, topology, velocity, pressure);
-            let (momentum_size, force_size) = self.sizes(start, topology, velocity, pressure);
+            let scale = self.volume_scale(start);
+            let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
-            let Self { assembly, excess, contact, right, increment, rows, krylov, .. } = self;
-            let spacing = (vector::sum(&assembly.volumes) / velocity.len() as f64).powf(1.0 / D as f64);
+            let implicitness = self.control.implicitness;
+            let Self { assembly, excess, porous, contact, right, increment, rows, krylov, .. } = self;
+            let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
                 constraints: &contact.constraints,
                 inertia,
                 compressibility,
-                scale: inertia * spacing,
+                scale,
+                grains,
                 scratch: RefCell::new(krylov::Scratch { assembly, excess }),
             };
             right.copy_from_slice(rows);
@@ -251,7 +269,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             if progress.passes == 0 {
                 let assembly = &operator.scratch.borrow().assembly;
                 let rates = (inertia, compressibility);
-                preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates)?;
+                preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;
             }
             increment.fill(0.0);
             let absolute = (FORCING * norm).max(0.5 * allowed);
@@ -281,34 +299,58 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         // In the middle, whatever θ is: there ∫∇·v is the change of volume.
         let place = |node: usize| moved(&cloud.place[node], 0.5 * step.length, &velocity[node]);
         self.assembly.place(topology, place, inertia, viscosity);
+        if let Some(suspension) = &forces.grains {
+            let cells = &self.assembly.cells;
+            let implicitness = self.control.implicitness;
+            Suspended::fill(suspension, implicitness, topology.cells(), cells, &mut self.porous);
+            self.assembly.share_volume(topology, &self.porous);
+        }
         for_each(&mut self.excess, |node, e| {
             let (v, before) = (&velocity[node], &cloud.velocity[node]);
             *e = std::array::from_fn(|k| inertia * (v[k] - before[k]) - density * forces.gravity[k]);
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);
-        let fields = Fields { velocity, pressure, excess: &self.excess };
+        let grains = start.suspended(&self.porous, self.control.implicitness);
+        let grains = grains.map(|grains| (grains, Part::Affine));
+        let fields = Fields { velocity, pressure, excess: &self.excess, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
         self.assembly.evaluate(topology, fields, curvature, momentum, volumes);
         for_each(volumes, |node, row| {
             let change = pressure[node] - cloud.pressure[node];
             *row += compressibility * self.assembly.volumes[node] * change;
+            *row += forces.grains.map_or(0.0, |grains| grains.source[node]);
         });
     }
 
-    /// Norms of V_i ρv/(θΔt), and of the sizes of the terms that make up a force (N).
+    /// Rows of volume times (ρ/(θΔt) + d/(θV)) and the spacing have the size of forces (N s/m³).
+    fn volume_scale(&self, start: Start<'_, D, N>) -> f64 {
+        let (nodes, volumes) = (start.cloud.place.len(), vector::sum(&self.assembly.volumes));
+        let drag = start.suspended(&self.porous, self.control.implicitness).map_or(0.0, |grains| {
+            let resistance: f64 = (0..nodes).map(|node| grains.resistance(node)).sum();
+            resistance / volumes
+        });
+        let spacing = (volumes / nodes as f64).powf(1.0 / D as f64);
+        (self.inertia(start.step) + drag) * spacing
+    }
+
+    /// Norms of (V_i ρ/(θΔt) + d/θ)v, and of the sizes of the terms that make up a force (N).
     fn sizes(
         &mut self,
         start: Start<'_, D, N>,
         topology: &Topology<N>,
-        velocity: &[Vector<D>],
-        pressure: &[f64],
+        (velocity, pressure): (&[Vector<D>], &[f64]),
+        scale: f64,
     ) -> (f64, f64) {
         let inertia = self.inertia(start.step);
         let weight = self.fluid.density * dot(&start.forces.gravity, &start.forces.gravity).sqrt();
-        let Self { assembly, right, .. } = self;
+        let implicitness = self.control.implicitness;
+        let Self { assembly, porous, right, .. } = self;
+        let grains = start.suspended(porous, implicitness);
         let (momentum, force) = right.split_at_mut(velocity.len());
         for_each(momentum, |node, size| {
-            *size = inertia * assembly.volumes[node] * dot(&velocity[node], &velocity[node]).sqrt();
+            let resistance = grains.map_or(0.0, |grains| grains.resistance(node));
+            let speed = dot(&velocity[node], &velocity[node]).sqrt();
+            *size = (inertia * assembly.volumes[node] + resistance) * speed;
         });
         let force = &mut force[..velocity.len()];
         for_each(force, |node, size| {
@@ -316,6 +358,16 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             for corner in topology.corners(node) {
                 let area = &assembly.cells[corner.cell as usize].areas[corner.local as usize];
                 *size += pressure[node].abs() * dot(area, area).sqrt();
+            }
+            let Some(grains) = &grains else { return };
+            // Drag scales volumes where there is none.
+            for corner in topology.corners(node) {
+                let cell = corner.cell as usize;
+                let (area, inverse) =
+                    (&assembly.cells[cell].areas[corner.local as usize], assembly.cells[cell].inverse);
+                let area = dot(area, area).sqrt();
+                let slope = weight + pressure[node].abs() * area * inverse;
+                *size += scale * grains.cells[cell].relaxation() * area * slope;
             }
         });
         (vector::norm(momentum), vector::norm(force))
@@ -337,12 +389,14 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let volumes = self.assembly.volumes.iter().zip(&cloud.drop);
         let mass: Vec<f64> = volumes.map(|(volume, drop)| self.fluid.density * (volume + drop)).collect();
         let is_free = |node: usize| self.contact.touched[node].is_empty();
-        let (mut left, mut free_mass) = ([0.0; D], 0.0);
+        // Of the velocity at the end.
+        let drag = |node: usize| forces.grains.map_or(0.0, |grains| grains.drag.resistance[node]);
+        let (mut left, mut resistance) = ([0.0; D], 0.0);
         for node in (0..mass.len()).filter(|&node| is_free(node)) {
-            free_mass += self.fluid.density * self.assembly.volumes[node];
+            resistance += self.fluid.density * self.assembly.volumes[node] / step.length + drag(node);
             left = moved(&left, 1.0, &rows[node]);
         }
-        let drift = left.map(|left| if free_mass > 0.0 { left * step.length / free_mass } else { 0.0 });
+        let drift = left.map(|left| if resistance > 0.0 { left / resistance } else { 0.0 });
         let mut end_velocity = cloud.velocity.clone();
         let mut reaction = vec![[0.0; D]; mass.len()];
         for node in 0..mass.len() {
@@ -358,14 +412,17 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 }
                 continue;
             }
+            let unheld = *end;
             *end = self.contact.at_end(cloud, walls, step, node, middle, end);
             let other: Vector<D> = if flies {
                 forces.gravity.map(|g| mass[node] * g)
             } else {
                 std::array::from_fn(|k| mass[node] * change[k] / step.length - rows[node][k])
             };
-            reaction[node] =
-                std::array::from_fn(|k| mass[node] * (end[k] - before[k]) / step.length - other[k]);
+            reaction[node] = std::array::from_fn(|k| {
+                let inertia = mass[node] * (end[k] - before[k]) / step.length;
+                inertia + drag(node) * (end[k] - unheld[k]) - other[k]
+            });
         }
         FlowSolution {
             velocity,
@@ -374,6 +431,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             contacts: self.contact.touched.clone(),
             reaction,
             mass,
+            implicitness: self.control.implicitness,
             iterations: progress.iterations,
             passes: progress.passes,
             residuals: progress.residuals,
