@@ -75,12 +75,14 @@ pub enum CouplerError {
     },
     /// The participants want windows that are too small.
     #[error(
-        "time: a window of {bound:.3e} s is wanted by {who} at t = {time} s; allowed: time.smallest-window = {smallest:.3e} s; \
-         {advice}"
+        "time: a window of {bound:.3e} s is wanted by {who} at t = {time} s{}; allowed: time.smallest-window = {smallest:.3e} s; \
+         {advice}", because(.reason)
     )]
     StepTooSmall {
         /// Who wants it.
         who: &'static str,
+        /// Why, if it told.
+        reason: String,
         /// What it wants \[s\].
         bound: f64,
         /// When \[s\].
@@ -167,6 +169,10 @@ impl CouplerError {
             | CouplerError::NoRestartPoint { .. } => ExitCode::Environment,
         }
     }
+}
+
+fn because(reason: &str) -> String {
+    if reason.is_empty() { String::new() } else { format!(", because {reason}") }
 }
 
 fn code(number: i32) -> ExitCode {

@@ -4,7 +4,8 @@ use crate::error::CouplerError;
 use interface::frames::{GrainRow, HydroRow, PROTOCOL, ReactionRow};
 use interface::ledger::{FluidLedger, GrainLedger};
 use interface::message::{
-    Books, Command, Commit, Committed, Hello, Norms, Opened, Ready, Report, Solved, Surface, Usage, Window,
+    Books, Command, Commit, Committed, Hello, Norms, Opened, Ready, Report, Solved, Surface, TooLarge, Usage,
+    Window,
 };
 use interface::run::Who;
 use interface::transport::{CommandSender, CouplerEnds, FrameView, Stamp};
@@ -23,12 +24,21 @@ pub struct Session {
     pub waited: f64,
 }
 
-/// An answer to an open window.
-pub enum OpenAnswer {
-    /// All have saved their states; the rows of the grains frame, and whether it is new.
-    Opened(Opened),
-    /// A participant wants a smaller window \[s\].
-    TooLarge(Who, f64),
+/// What came of asking for a part of a window.
+pub enum Answer<T> {
+    /// It is done.
+    Done(T),
+    /// A participant wants a shorter window.
+    TooLarge(Refusal),
+}
+
+/// Who wants a shorter window, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// Which program.
+    pub who: Who,
+    /// What it wants.
+    pub wanted: TooLarge,
 }
 
 impl Session {
@@ -102,22 +112,23 @@ impl Session {
         }
     }
 
-    /// Opens a window on all sides, the grains first: the fluid needs to know whether they changed.
+    /// Opens a window on all sides, the grains first: the fluid needs to know whether they changed. The rows of the grains
+    /// frame, and whether it is new.
     ///
     /// # Errors
     /// A participant's failure or silence.
-    pub fn open(&mut self, window: Window) -> Result<OpenAnswer, CouplerError> {
+    pub fn open(&mut self, window: Window) -> Result<Answer<Opened>, CouplerError> {
         let mut opened = Opened { rows: 0, grains_changed: false };
         for who in self.members() {
             let grains_changed = who == Who::Fluid && self.dem && opened.grains_changed;
             match self.ask(who, &Command::Open(Window { grains_changed, ..window }))? {
                 Report::Opened(answer) if who == Who::Dem => opened = answer,
                 Report::Opened(_) => {}
-                Report::TooLarge { bound } => return Ok(OpenAnswer::TooLarge(who, bound)),
+                Report::TooLarge(wanted) => return Ok(Answer::TooLarge(Refusal { who, wanted })),
                 other => return Err(self.wire(who).unexpected("open", &other).into()),
             }
         }
-        Ok(OpenAnswer::Opened(opened))
+        Ok(Answer::Done(opened))
     }
 
     /// Lets the grains move through the window; without a fluid nothing acts on them. Their books, and the substeps done.
@@ -129,15 +140,16 @@ impl Session {
         window: Window,
         iteration: u32,
         hydro: &[HydroRow],
-    ) -> Result<(GrainLedger, u64), CouplerError> {
+    ) -> Result<Answer<(GrainLedger, u64)>, CouplerError> {
         if self.fluid {
             self.ends.hydro.write(stamp(window, iteration), hydro.len(), |row| hydro[row])?;
         }
         match self.ask(Who::Dem, &Command::Advance { iteration })? {
             Report::Solved(solved) => match *solved {
-                Solved { books: Books::Grains(ledger), work, .. } => Ok((ledger, work)),
+                Solved { books: Books::Grains(ledger), work, .. } => Ok(Answer::Done((ledger, work))),
                 other => Err(self.ends.dem.unexpected("advance", &Report::Solved(Box::new(other))).into()),
             },
+            Report::TooLarge(wanted) => Ok(Answer::TooLarge(Refusal { who: Who::Dem, wanted })),
             other => Err(self.ends.dem.unexpected("advance", &other).into()),
         }
     }
@@ -151,15 +163,18 @@ impl Session {
         window: Window,
         iteration: u32,
         reactions: &[ReactionRow],
-    ) -> Result<(FluidLedger, Norms, u64), CouplerError> {
+    ) -> Result<Answer<(FluidLedger, Norms, u64)>, CouplerError> {
         if self.dem {
             self.ends.reaction.write(stamp(window, iteration), reactions.len(), |row| reactions[row])?;
         }
         match self.ask(Who::Fluid, &Command::Advance { iteration })? {
             Report::Solved(solved) => match *solved {
-                Solved { books: Books::Fluid { ledger, norms }, work, .. } => Ok((ledger, norms, work)),
+                Solved { books: Books::Fluid { ledger, norms }, work, .. } => {
+                    Ok(Answer::Done((ledger, norms, work)))
+                }
                 other => Err(self.ends.fluid.unexpected("advance", &Report::Solved(Box::new(other))).into()),
             },
+            Report::TooLarge(wanted) => Ok(Answer::TooLarge(Refusal { who: Who::Fluid, wanted })),
             other => Err(self.ends.fluid.unexpected("advance", &other).into()),
         }
     }

@@ -10,13 +10,13 @@ use crate::interaction::{Interaction, Laws, Shape};
 use crate::ledger::Ledger;
 use crate::owed::Owed;
 use crate::record::{self, Memory, Record};
-use crate::session::{OpenAnswer, Session};
+use crate::session::{Answer, Refusal, Session};
 use crate::window::{Coupling, Outcome, coupled_window, single_window};
 use case_io::checkpoint::RestartPoint;
 use case_io::document::{self, Backend, Case, Dimension, Scheme};
 use case_io::plan::Plan;
 use case_io::summary::Counts;
-use interface::message::{Commit, Opened, Window};
+use interface::message::{Commit, Opened, TooLarge, Window};
 use interface::run::Who;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -140,16 +140,7 @@ impl Simulation {
 
     /// One window: open, advance, book, commit.
     fn window(&mut self) -> Result<(), CouplerError> {
-        let (window, opened) = self.open()?;
-        if opened.grains_changed && self.coupling.is_some() {
-            self.owed.follow(&self.session.grains()?);
-        }
-        let outcome = match &mut self.coupling {
-            Some(coupling) => {
-                coupled_window(&mut self.session, coupling, &mut self.exchange, &mut self.owed, window)?
-            }
-            None => single_window(&mut self.session, window)?,
-        };
+        let (window, outcome) = self.advance()?;
         let residuals = self.ledger.book(&outcome, self.owed.sum(), window)?;
         let end = self.clock.after(window.step);
         let outputs = self.clock.due_at(end);
@@ -160,33 +151,56 @@ impl Simulation {
         }
     }
 
-    /// Offers windows until all sides accept one.
-    fn open(&mut self) -> Result<(Window, Opened), CouplerError> {
-        let mut bound = self.largest_step.0.min(self.largest_step.1);
-        let mut wanted_by = if self.largest_step.0 <= self.largest_step.1 { Who::Dem } else { Who::Fluid };
+    /// Offers windows, each at most half of the one before, until all sides have come through one; between offers all go
+    /// back to its start.
+    fn advance(&mut self) -> Result<(Window, Outcome), CouplerError> {
+        let (dem, fluid) = self.largest_step;
+        let bound = |who, bound| Refusal { who, wanted: TooLarge { bound, reason: String::new() } };
+        let mut limit = if dem <= fluid { bound(Who::Dem, dem) } else { bound(Who::Fluid, fluid) };
         loop {
-            let step = self.clock.offer(bound).map_err(|wanted| CouplerError::StepTooSmall {
-                who: wanted_by.name(),
-                bound: wanted,
-                time: self.clock.time,
-                smallest: self.smallest,
-                advice: match wanted_by {
-                    Who::Dem => "soften the materials or lower time.smallest-window",
-                    _ => {
-                        "coarsen the mesh or lower time.smallest-window; if speeds grow without a cause, set \
-                         coupling.scheme = \"serial-implicit\""
-                    }
-                },
-            })?;
+            let step =
+                self.clock.offer(limit.wanted.bound).map_err(|wanted| self.too_small(wanted, &limit))?;
             let window =
                 Window { number: self.clock.window, time: self.clock.time, step, grains_changed: false };
-            match self.session.open(window)? {
-                OpenAnswer::Opened(opened) => return Ok((window, opened)),
-                OpenAnswer::TooLarge(who, refused) => {
-                    wanted_by = who;
-                    bound = refused.min(0.5 * step);
+            let refusal = match self.session.open(window)? {
+                Answer::TooLarge(refusal) => refusal,
+                Answer::Done(opened) => match self.pass(window, opened)? {
+                    Answer::Done(outcome) => return Ok((window, outcome)),
+                    Answer::TooLarge(refusal) => {
+                        self.session.restore()?;
+                        refusal
+                    }
+                },
+            };
+            self.counts.refused += 1;
+            let wanted = TooLarge { bound: refusal.wanted.bound.min(0.5 * step), ..refusal.wanted };
+            limit = Refusal { wanted, ..refusal };
+        }
+    }
+
+    /// Takes all sides through an open window.
+    fn pass(&mut self, window: Window, opened: Opened) -> Result<Answer<Outcome>, CouplerError> {
+        let Some(coupling) = &mut self.coupling else { return single_window(&mut self.session, window) };
+        if opened.grains_changed {
+            self.owed.follow(&self.session.grains()?);
+        }
+        coupled_window(&mut self.session, coupling, &mut self.exchange, &mut self.owed, window)
+    }
+
+    fn too_small(&self, bound: f64, limit: &Refusal) -> CouplerError {
+        CouplerError::StepTooSmall {
+            who: limit.who.name(),
+            reason: limit.wanted.reason.clone(),
+            bound,
+            time: self.clock.time,
+            smallest: self.smallest,
+            advice: match limit.who {
+                Who::Dem => "soften the materials or lower time.smallest-window",
+                _ => {
+                    "coarsen the mesh or lower time.smallest-window; if speeds grow without a cause, set \
+                     coupling.scheme = \"serial-implicit\""
                 }
-            }
+            },
         }
     }
 

@@ -6,7 +6,7 @@ use crate::error::CouplerError;
 use crate::exchange::{Crossed, Exchange};
 use crate::interaction::{Interaction, Passage, Shape, compliant_reaction, reaction};
 use crate::owed::Owed;
-use crate::session::Session;
+use crate::session::{Answer, Session};
 use interface::frames::ReactionRow;
 use interface::ledger::{FluidLedger, GrainLedger};
 use interface::message::{Norms, Window};
@@ -68,7 +68,7 @@ pub fn coupled_window(
     exchange: &mut Exchange,
     owed: &mut Owed,
     window: Window,
-) -> Result<Outcome, CouplerError> {
+) -> Result<Answer<Outcome>, CouplerError> {
     let mut outcome = Outcome { owed_before: owed.sum(), ..Outcome::default() };
     coupling.judge.open();
     coupling.relaxation.open();
@@ -83,7 +83,10 @@ pub fn coupled_window(
             window.step,
             relaxation,
         )?;
-        let (grain_ledger, substeps) = session.advance_dem(window, iteration, &exchange.hydro)?;
+        let (grain_ledger, substeps) = match session.advance_dem(window, iteration, &exchange.hydro)? {
+            Answer::Done(done) => done,
+            Answer::TooLarge(refusal) => return Ok(Answer::TooLarge(refusal)),
+        };
 
         let ends = &mut session.ends;
         let (grains, impulses) =
@@ -93,7 +96,10 @@ pub fn coupled_window(
             exchange.reactions.fill(Default::default());
         }
         let (fluid_ledger, norms, linear_iterations) =
-            session.advance_fluid(window, iteration, &exchange.reactions)?;
+            match session.advance_fluid(window, iteration, &exchange.reactions)? {
+                Answer::Done(done) => done,
+                Answer::TooLarge(refusal) => return Ok(Answer::TooLarge(refusal)),
+            };
 
         outcome.iterations = iteration;
         outcome.substeps += substeps;
@@ -106,7 +112,7 @@ pub fn coupled_window(
                 outcome.crossed = Some(exchange.settle(&samples, coupling.shape, window.step, owed));
             }
             (outcome.grains, outcome.fluid) = (Some(grain_ledger), Some(fluid_ledger));
-            return Ok(outcome);
+            return Ok(Answer::Done(outcome));
         }
         session.restore()?;
     }
@@ -145,17 +151,23 @@ fn is_finished(
 ///
 /// # Errors
 /// A participant's failure.
-pub fn single_window(session: &mut Session, window: Window) -> Result<Outcome, CouplerError> {
+pub fn single_window(session: &mut Session, window: Window) -> Result<Answer<Outcome>, CouplerError> {
     let mut outcome = Outcome { iterations: 1, ..Outcome::default() };
     if session.dem {
-        let (ledger, substeps) = session.advance_dem(window, 1, &[])?;
+        let (ledger, substeps) = match session.advance_dem(window, 1, &[])? {
+            Answer::Done(done) => done,
+            Answer::TooLarge(refusal) => return Ok(Answer::TooLarge(refusal)),
+        };
         outcome.grains = Some(ledger);
         outcome.substeps = substeps;
     }
     if session.fluid {
-        let (ledger, _, linear_iterations) = session.advance_fluid(window, 1, &[])?;
+        let (ledger, _, linear_iterations) = match session.advance_fluid(window, 1, &[])? {
+            Answer::Done(done) => done,
+            Answer::TooLarge(refusal) => return Ok(Answer::TooLarge(refusal)),
+        };
         outcome.fluid = Some(ledger);
         outcome.linear_iterations = linear_iterations;
     }
-    Ok(outcome)
+    Ok(Answer::Done(outcome))
 }

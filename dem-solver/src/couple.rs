@@ -13,7 +13,7 @@ use crate::workspace::Workspace;
 use crate::world::{Saved, World};
 use interface::frames::{GrainRow, HydroRow, ImpulseRow};
 use interface::message::{Books, Commit, Committed, Failure, Opened, Ready, Solved, Usage, Window};
-use interface::participant::{Opening, Participant};
+use interface::participant::{Advance, Opening, Participant};
 use interface::transport::{FrameReader, FrameWriter, Stamp};
 use interface::usage::{Stopwatch, own_usage};
 use std::path::Path;
@@ -38,6 +38,8 @@ pub struct DemParticipant<const D: usize> {
     /// The grains frame of this state has been published.
     published: bool,
     window: Window,
+    /// The window is not history yet.
+    open: bool,
     seconds: f64,
 }
 
@@ -67,6 +69,7 @@ impl<const D: usize> DemParticipant<D> {
             coupled,
             published: false,
             window: Window { number: 0, time: 0.0, step: 0.0, grains_changed: false },
+            open: false,
             seconds: 0.0,
         }
     }
@@ -88,17 +91,19 @@ impl<const D: usize> DemParticipant<D> {
         Ok(self.grains.write(stamp, world.grains.len(), |row| grain_row(world, row))?)
     }
 
-    /// Grains are born and removed, a window is opened, its first state is saved.
+    /// Grains are born and removed, a window is opened, its first state is saved. A window offered anew has had its births;
+    /// its grains are published again.
     fn open_window(&mut self, window: Window) -> Result<Opening, DemError> {
-        let turnover = turn_over(&self.scene, &mut self.world)?;
+        let offered_anew = std::mem::replace(&mut self.open, true);
+        let order_changed = !offered_anew && turn_over(&self.scene, &mut self.world)?.order_changed;
         self.window = window;
         if self.world.contacts.has_expired() {
             let step = window.step / f64::from(self.substeps()?);
             relist(&self.scene, &mut self.world, &mut self.workspace, step)?;
         }
-        let grains_changed = self.coupled && (turnover.order_changed || !self.published);
+        let grains_changed = self.coupled && (order_changed || offered_anew || !self.published);
         if grains_changed {
-            self.publish_grains(0, window.time, turnover.order_changed)?;
+            self.publish_grains(0, window.time, order_changed)?;
             self.published = true;
         }
         self.world.save(&mut self.saved);
@@ -138,6 +143,7 @@ impl<const D: usize> DemParticipant<D> {
     }
 
     fn commit_window(&mut self, commit: &Commit) -> Result<Committed, DemError> {
+        self.open = false;
         self.world.bonds.sweep(|_| true);
         if commit.series {
             self.record.row(&self.scene, &self.world)?;
@@ -195,8 +201,8 @@ impl<const D: usize> Participant for DemParticipant<D> {
         Ok(self.open_window(window)?)
     }
 
-    fn advance(&mut self, iteration: u32) -> Result<Solved, Failure> {
-        Ok(self.advance_iteration(iteration)?)
+    fn advance(&mut self, iteration: u32) -> Result<Advance, Failure> {
+        Ok(Advance::Solved(self.advance_iteration(iteration)?))
     }
 
     fn restore(&mut self) -> Result<(), Failure> {

@@ -11,7 +11,7 @@ use thiserror::Error;
 
 use crate::bond::BondError;
 use crate::fault::Fault;
-use crate::flaw::Flaw;
+use surface::InputError;
 
 /// What may go wrong.
 #[derive(Debug, Error)]
@@ -130,22 +130,9 @@ pub enum DemError {
         /// What was in the way of the next.
         why: String,
     },
-    /// A file cannot be read.
-    #[error("{path}: {source}; check the path and its permissions")]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        source: std::io::Error,
-    },
-    /// A file holds something that cannot be used.
-    #[error("{path}{flaw}")]
-    BadFile {
-        /// The file.
-        path: PathBuf,
-        /// Where in it, what is wrong and what is allowed.
-        flaw: Flaw,
-    },
+    /// A file that the case names.
+    #[error(transparent)]
+    Input(#[from] InputError),
     /// A bond cannot be.
     #[error(transparent)]
     Bond(#[from] BondError),
@@ -177,9 +164,8 @@ impl DemError {
                 .ok()
                 .and_then(|code| ExitCode::try_from(code).ok())
                 .unwrap_or(ExitCode::Defect),
-            Self::Output(_) | Self::Unreadable { .. } | Self::ForeignCheckpoint { .. } => {
-                ExitCode::Environment
-            }
+            Self::Input(error) => error.exit_code(),
+            Self::Output(_) | Self::ForeignCheckpoint { .. } => ExitCode::Environment,
             Self::Fault { fault: Fault::NotFinite { .. }, .. } | Self::BadHydro { .. } => ExitCode::NonFinite,
             Self::Fault { .. } | Self::Lost { .. } => ExitCode::Ledger,
             Self::TooManySubsteps { .. } => ExitCode::TimeStepTooSmall,

@@ -1,12 +1,12 @@
 //! The fluid as a participant: what it does on each command of the coupler.
 
-use crate::backend::{FluidBackend, Step};
+use crate::backend::{Attempt, FluidBackend, Step};
 use crate::error::FluidError;
 use crate::record::Record;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use interface::frames::{GrainRow, ReactionRow, SampleRow};
-use interface::message::{Books, Commit, Committed, Failure, Opened, Ready, Solved, Usage, Window};
-use interface::participant::{Opening, Participant};
+use interface::message::{Books, Commit, Committed, Failure, Opened, Ready, Solved, TooLarge, Usage, Window};
+use interface::participant::{Advance, Opening, Participant};
 use interface::transport::{FrameReader, FrameWriter, Stamp};
 use interface::usage::{Stopwatch, own_usage};
 use serde::{Deserialize, Serialize};
@@ -104,7 +104,7 @@ impl FluidParticipant {
         let bound = self.backend.largest_step();
         // A relative margin: the coupler divides the time that is left into equal windows.
         if window.step > bound * (1.0 + 1e-9) {
-            return Ok(Opening::TooLarge(bound));
+            return Ok(Opening::TooLarge(TooLarge { bound, reason: String::new() }));
         }
         self.window = window;
         if window.grains_changed {
@@ -117,7 +117,7 @@ impl FluidParticipant {
         Ok(Opening::Opened(Opened { rows: 0, grains_changed: false }))
     }
 
-    fn advance_iteration(&mut self, iteration: u32) -> Result<Solved, FluidError> {
+    fn advance_iteration(&mut self, iteration: u32) -> Result<Advance, FluidError> {
         let step = self.step();
         let mut clock = Stopwatch::start();
         let mut rows = 0;
@@ -127,27 +127,31 @@ impl FluidParticipant {
             self.backend.project(step, &grains)?;
         }
         self.seconds[0] += clock.lap();
-        let solution = if self.coupled {
+        let attempt = if self.coupled {
             let reactions = self.reaction.of(self.window.number, iteration)?;
             self.backend.solve(step, &reactions)?
         } else {
             self.backend.solve(step, &[])?
         };
         self.seconds[1] += clock.lap();
+        let solution = match attempt {
+            Attempt::Solved(solution) => solution,
+            Attempt::TooLarge(refusal) => return Ok(Advance::TooLarge(refusal)),
+        };
         if self.coupled {
             self.publish_samples(iteration, step.end(), rows)?;
         }
         self.seconds[2] += clock.lap();
-        Ok(Solved {
+        Ok(Advance::Solved(Solved {
             books: Books::Fluid { ledger: solution.ledger, norms: solution.norms },
             largest_step: self.backend.largest_step(),
             work: solution.iterations,
-        })
+        }))
     }
 
     fn commit_window(&mut self, commit: &Commit) -> Result<Committed, FluidError> {
         let step = self.step();
-        self.backend.commit(step);
+        self.backend.commit(step)?;
         self.time = step.end();
         if commit.series {
             self.record.series(self.time, &*self.backend)?;
@@ -187,7 +191,7 @@ impl Participant for FluidParticipant {
         Ok(self.open_window(window)?)
     }
 
-    fn advance(&mut self, iteration: u32) -> Result<Solved, Failure> {
+    fn advance(&mut self, iteration: u32) -> Result<Advance, Failure> {
         Ok(self.advance_iteration(iteration)?)
     }
 

@@ -69,6 +69,9 @@ pub struct Seconds {
 pub struct Counts {
     /// Committed coupling windows.
     pub windows: u64,
+    /// Windows that were too long for a participant, and were offered anew.
+    #[serde(default)]
+    pub refused: u64,
     /// Coupling iterations in all windows together.
     pub iterations: u64,
     /// Substeps of the grains.
@@ -205,7 +208,14 @@ mod tests {
             exit: Exit { code: ExitCode::CheckFailed, reason: "a check failed: \"v\"".to_owned() },
             time: 0.1 + 0.2,
             seconds: [("dem-solver".to_owned(), Seconds { wall: 1.5, cpu: 2.25 })].into(),
-            counts: Counts { windows: 100, iterations: 230, substeps: 5000, grains: 1, nodes: 12_167 },
+            counts: Counts {
+                windows: 100,
+                refused: 3,
+                iterations: 230,
+                substeps: 5000,
+                grains: 1,
+                nodes: 12_167,
+            },
             peak_memory: 1 << 33,
             thrift: [("lists-reused".to_owned(), u64::MAX)].into(),
             taken: [("energy-taken-by-sleep[J]".to_owned(), 1.25e-17)].into(),

@@ -86,11 +86,8 @@ pub enum Report {
     Ready(Ready),
     /// To open: the state is saved.
     Opened(Opened),
-    /// To open: Δt exceeds this bound \[s\].
-    TooLarge {
-        /// The largest Δt that would do.
-        bound: f64,
-    },
+    /// To open or advance: the window is too long. Nothing has become history, and it may be offered anew, shorter.
+    TooLarge(TooLarge),
     /// To advance.
     Solved(Box<Solved>),
     /// To restore.
@@ -125,6 +122,15 @@ pub struct Opened {
     pub rows: u64,
     /// The grains frame was published anew (DEM), else false.
     pub grains_changed: bool,
+}
+
+/// Why a window is too long.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TooLarge {
+    /// The largest Δt that would do \[s\].
+    pub bound: f64,
+    /// What sets it, and where.
+    pub reason: String,
 }
 
 /// One side's part of an iteration is done.

@@ -3,7 +3,7 @@
 use crate::error::InterfaceError;
 use crate::frames::PROTOCOL;
 use crate::message::{
-    Command, Commit, Committed, Failure, Hello, Opened, Ready, Report, Solved, Usage, Window,
+    Command, Commit, Committed, Failure, Hello, Opened, Ready, Report, Solved, TooLarge, Usage, Window,
 };
 use crate::state::State;
 use crate::transport::CommandReceiver;
@@ -13,8 +13,16 @@ use serde::{Deserialize, Serialize};
 pub enum Opening {
     /// The state is saved.
     Opened(Opened),
-    /// Δt exceeds this bound \[s\].
-    TooLarge(f64),
+    /// The window is too long.
+    TooLarge(TooLarge),
+}
+
+/// Answer to an iteration.
+pub enum Advance {
+    /// This side's part is done.
+    Solved(Solved),
+    /// The window is too long for it, and is given up.
+    TooLarge(TooLarge),
 }
 
 /// One side of the coupling. Errors end the run; they carry their exit code.
@@ -23,11 +31,12 @@ pub trait Participant {
     fn identity(&self) -> (String, String);
     /// Counts and the largest Δt.
     fn ready(&mut self) -> Result<Ready, Failure>;
-    /// Saves the state and prepares the window.
+    /// Saves the state and prepares the window. A window that is open already is offered anew, shorter, after `restore`: the
+    /// grains publish their frame again, since the newest belongs to the attempt that was given up.
     fn open(&mut self, window: Window) -> Result<Opening, Failure>;
     /// Does this side's part of the iteration.
-    fn advance(&mut self, iteration: u32) -> Result<Solved, Failure>;
-    /// Goes back to the state saved at `open`.
+    fn advance(&mut self, iteration: u32) -> Result<Advance, Failure>;
+    /// Goes back to the state saved at `open`, from wherever the window has come to.
     fn restore(&mut self) -> Result<(), Failure>;
     /// Makes the window history.
     fn commit(&mut self, commit: &Commit) -> Result<Committed, Failure>;
@@ -101,9 +110,12 @@ fn answer<P: Participant>(participant: &mut P, command: &Command) -> Result<Repo
         Command::Hello(hello) => greet(participant, hello)?,
         Command::Open(window) => match participant.open(*window)? {
             Opening::Opened(opened) => Report::Opened(opened),
-            Opening::TooLarge(bound) => Report::TooLarge { bound },
+            Opening::TooLarge(refusal) => Report::TooLarge(refusal),
         },
-        Command::Advance { iteration } => Report::Solved(Box::new(participant.advance(*iteration)?)),
+        Command::Advance { iteration } => match participant.advance(*iteration)? {
+            Advance::Solved(solved) => Report::Solved(Box::new(solved)),
+            Advance::TooLarge(refusal) => Report::TooLarge(refusal),
+        },
         Command::Restore => {
             participant.restore()?;
             Report::Restored

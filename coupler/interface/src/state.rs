@@ -34,7 +34,7 @@ impl State {
         match self {
             State::Launched => "hello, stop",
             State::Ready => "open, stop",
-            State::Open => "advance, stop",
+            State::Open => "open, advance, restore, stop",
             State::Solved => "restore, commit, stop",
             State::Ended => "nothing",
         }
@@ -47,9 +47,10 @@ impl State {
     pub fn check(self, command: &Command) -> Result<(), InterfaceError> {
         let legal = match command {
             Command::Hello(_) => self == State::Launched,
-            Command::Open(_) => self == State::Ready,
+            Command::Open(_) => matches!(self, State::Ready | State::Open),
             Command::Advance { .. } => self == State::Open,
-            Command::Restore | Command::Commit(_) => self == State::Solved,
+            Command::Restore => matches!(self, State::Open | State::Solved),
+            Command::Commit(_) => self == State::Solved,
             Command::Stop { .. } => self != State::Ended,
         };
         if legal {
@@ -67,7 +68,7 @@ impl State {
         match report {
             Report::Ready(_) | Report::Committed(_) => State::Ready,
             Report::Opened(_) | Report::Restored => State::Open,
-            Report::TooLarge { .. } => self,
+            Report::TooLarge(_) => self,
             Report::Solved(_) => State::Solved,
             Report::Ended(_) | Report::Failed(_) => State::Ended,
         }
@@ -77,7 +78,7 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::message::{Commit, Hello, Window};
+    use crate::message::{Commit, Hello, TooLarge, Window};
 
     fn commands() -> Vec<Command> {
         let hello = Hello {
@@ -103,7 +104,7 @@ mod tests {
         let table = [
             (State::Launched, [true, false, false, false, false, true]),
             (State::Ready, [false, true, false, false, false, true]),
-            (State::Open, [false, false, true, false, false, true]),
+            (State::Open, [false, true, true, true, false, true]),
             (State::Solved, [false, false, false, true, true, true]),
             (State::Ended, [false, false, false, false, false, false]),
         ];
@@ -121,7 +122,9 @@ mod tests {
     }
 
     #[test]
-    fn a_refused_window_leaves_the_participant_ready() {
-        assert_eq!(State::Ready.after(&Report::TooLarge { bound: 1e-3 }), State::Ready);
+    fn a_refused_window_is_neither_open_nor_solved() {
+        let refusal = Report::TooLarge(TooLarge { bound: 1e-3, reason: String::new() });
+        assert_eq!(State::Ready.after(&refusal), State::Ready);
+        assert_eq!(State::Open.after(&refusal), State::Open);
     }
 }

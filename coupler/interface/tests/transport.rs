@@ -4,9 +4,9 @@ use interface::InterfaceError;
 use interface::frames::{GrainRow, HydroRow, ImpulseRow, PROTOCOL};
 use interface::ledger::GrainLedger;
 use interface::message::{
-    Books, Command, Commit, Committed, Failure, Hello, Opened, Ready, Report, Solved, Usage, Window,
+    Books, Command, Commit, Committed, Failure, Hello, Opened, Ready, Report, Solved, TooLarge, Usage, Window,
 };
-use interface::participant::{Opening, Participant, serve};
+use interface::participant::{Advance, Opening, Participant, serve};
 use interface::run::RunId;
 use interface::transport::{CouplerEnds, Deadlines, DemEnds, Stamp, in_process, shared_memory};
 
@@ -18,6 +18,10 @@ struct Follower {
     position: Vec<f64>,
     saved: Vec<f64>,
     window: Window,
+}
+
+fn too_large(bound: f64) -> TooLarge {
+    TooLarge { bound, reason: "it goes too far".into() }
 }
 
 impl Participant for Follower {
@@ -35,13 +39,17 @@ impl Participant for Follower {
     }
     fn open(&mut self, window: Window) -> Result<Opening, Failure> {
         if window.step > 1.0 {
-            return Ok(Opening::TooLarge(1.0));
+            return Ok(Opening::TooLarge(too_large(1.0)));
         }
         self.window = window;
         self.saved.clone_from(&self.position);
         Ok(Opening::Opened(Opened { rows: self.position.len() as u64, grains_changed: false }))
     }
-    fn advance(&mut self, iteration: u32) -> Result<Solved, Failure> {
+    fn advance(&mut self, iteration: u32) -> Result<Advance, Failure> {
+        if self.window.step > 0.75 {
+            self.position.fill(f64::NAN);
+            return Ok(Advance::TooLarge(too_large(0.7)));
+        }
         let hydro = self.hydro.of(self.window.number, iteration)?;
         for (position, row) in self.position.iter_mut().zip(hydro.iter()) {
             *position += self.window.step * row.fluid_velocity[0];
@@ -54,7 +62,11 @@ impl Participant for Follower {
         };
         self.ends_grains.write(stamp, self.position.len(), grain)?;
         self.impulse.write(stamp, self.position.len(), |_| ImpulseRow::default())?;
-        Ok(Solved { books: Books::Grains(GrainLedger::default()), largest_step: 1.0, work: 1 })
+        Ok(Advance::Solved(Solved {
+            books: Books::Grains(GrainLedger::default()),
+            largest_step: 1.0,
+            work: 1,
+        }))
     }
     fn restore(&mut self) -> Result<(), Failure> {
         self.position.clone_from(&self.saved);
@@ -91,14 +103,19 @@ fn hello() -> Command {
     })
 }
 
-/// Three windows of two iterations each; every iteration moves grain `i` by `step · i`.
+/// Three windows of two iterations each, each offered thrice, as the first is refused when it is opened and the second when it
+/// is advanced; every iteration moves grain `i` by `step · i`.
 fn drive(mut ends: CouplerEnds, grains: usize) -> Vec<f64> {
     assert!(
         matches!(ends.dem.ask(&hello()).unwrap(), Report::Ready(Ready { size, .. }) if size == grains as u64)
     );
     for number in 0..3 {
         let open = |step| Command::Open(Window { number, time: 0.0, step, grains_changed: false });
-        assert_eq!(ends.dem.ask(&open(2.0)).unwrap(), Report::TooLarge { bound: 1.0 });
+        assert_eq!(ends.dem.ask(&open(2.0)).unwrap(), Report::TooLarge(too_large(1.0)));
+        assert!(matches!(ends.dem.ask(&open(0.8)).unwrap(), Report::Opened(_)));
+        let advance = Command::Advance { iteration: 1 };
+        assert_eq!(ends.dem.ask(&advance).unwrap(), Report::TooLarge(too_large(0.7)));
+        assert_eq!(ends.dem.ask(&Command::Restore).unwrap(), Report::Restored);
         assert!(matches!(ends.dem.ask(&open(0.5)).unwrap(), Report::Opened(_)));
         for iteration in 1..=2 {
             let stamp = Stamp { window: number, iteration, ..Default::default() };

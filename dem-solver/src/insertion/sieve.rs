@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::sizes::Class;
-use crate::csv::Csv;
-use crate::error::DemError;
-use crate::flaw::Flaw;
+use surface::Flaw;
+use surface::InputError;
+use surface::csv::Csv;
 
 const COLUMNS: [&str; 2] = ["diameter[m]", "passing[-]"];
 
@@ -13,7 +13,7 @@ const COLUMNS: [&str; 2] = ["diameter[m]", "passing[-]"];
 ///
 /// # Errors
 /// A file that cannot be read, or whose curve does not ascend from 0 to 1.
-pub fn read_sieve(path: &Path) -> Result<Vec<Class>, DemError> {
+pub fn read_sieve(path: &Path) -> Result<Vec<Class>, InputError> {
     Csv::read(path, &COLUMNS, &COLUMNS, classes)
 }
 

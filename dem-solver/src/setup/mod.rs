@@ -4,7 +4,6 @@ mod bonds;
 mod clumps;
 mod deletion;
 mod insert;
-mod motion;
 mod places;
 mod region;
 mod sizes;
@@ -108,17 +107,6 @@ fn refused_at(case: &Case, key: &str, error: DemError) -> DemError {
         DemError::NoRoom { fitted, wanted, why, .. } => {
             let found = format!("{fitted} of {wanted} grains fitted: {why}");
             case.error(key, found, "", "ask for fewer or smaller grains, or for a larger region").into()
-        }
-        other => other,
-    }
-}
-
-/// The error of a file that the case names at `key`, told with the key.
-fn at_key(case: &Case, key: &str, error: DemError) -> DemError {
-    match error {
-        DemError::BadFile { path, flaw } => {
-            let found = format!("{}{flaw}", path.display());
-            case.error(key, found, "", "repair the file or name another").into()
         }
         other => other,
     }

@@ -2,10 +2,9 @@
 
 use case_io::document::{self, Case};
 
-use super::at_key;
 use crate::error::DemError;
 use crate::insertion::{BoxRegion, CylinderRegion, Region, SphereRegion, SurfaceRegion};
-use crate::wall::triangles::{Format, read_closed};
+use surface::triangles::{Format, read_closed};
 
 /// The region that the table at `key` states.
 ///
@@ -31,7 +30,7 @@ pub fn region<const D: usize>(
         document::Region::Stl(path, scale) => {
             let key = format!("{key}.path");
             let facets = read_closed(&case.folder.join(path), Format::Stl, scale)
-                .map_err(|error| at_key(case, &key, error))?;
+                .map_err(|error| error.at_key(case, &key))?;
             let region = SurfaceRegion::new(facets);
             Region::Surface(region.ok_or_else(|| case.error(&key, "holds no triangle", "", ""))?)
         }

@@ -2,7 +2,6 @@
 
 use case_io::document::{self, Case, Insertion};
 
-use super::at_key;
 use crate::error::DemError;
 use crate::insertion::{Class, Classes, Lognormal, Normal, Sizes, Uniform, read_sieve};
 
@@ -32,7 +31,7 @@ fn distribution<const D: usize>(
     }
     let classes = match &stated.sieve {
         Some(sieve) => read_sieve(&case.folder.join(&sieve.path))
-            .map_err(|error| at_key(case, &format!("{key}.sieve.path"), error))?,
+            .map_err(|error| error.at_key(case, &format!("{key}.sieve.path")))?,
         None => stated.mixture.iter().flatten().map(class).collect(),
     };
     Ok(Sizes::Classes(Classes::new(classes, D)))

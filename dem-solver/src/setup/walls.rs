@@ -3,13 +3,13 @@
 use case_io::document::{self, Case, WallShape, unit_vector};
 use case_io::error::CaseError;
 
-use super::motion::motion;
+use super::FluidMesh;
 use super::surroundings::material_index;
-use super::{FluidMesh, at_key};
 use crate::error::DemError;
 use crate::vector::{Vector, restrict};
-use crate::wall::triangles::{Format, read_triangles};
 use crate::wall::{Cylinder, Disc, Facet, Plane, Servo, Shape, Side, Sphere, Tube, Wall, Walls};
+use surface::case::{motion, triangles as read_triangles};
+use surface::triangles::Format;
 
 /// The walls of a case.
 pub fn walls<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Result<Walls<D>, DemError> {
@@ -92,8 +92,7 @@ fn triangles<const D: usize>(
             .error(key, "a surface of triangles in 2D", "planes, spheres, mesh boundaries", "")
             .into());
     }
-    let facets = read_triangles(&case.folder.join(&file.path), format, file.scale, file.rims)
-        .map_err(|error| at_key(case, &format!("{key}.path"), error))?;
+    let facets = read_triangles(case, key, format, file)?;
     let spatial =
         |facet: &Facet<3>| Facet { vertices: std::array::from_fn(|k| restrict(&facet.vertices[k])) };
     Ok(facets.iter().map(|facet| Shape::Facet(spatial(facet))).collect())

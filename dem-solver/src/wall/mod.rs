@@ -2,19 +2,17 @@
 
 mod bins;
 mod impulse;
-mod motion;
 mod poses;
 mod servo;
 mod shape;
-pub mod triangles;
 
 use crate::vector::Vector;
 pub use bins::Bins;
 pub use impulse::{Received, WallImpulse};
-pub use motion::{Motion, Pose, Table, TableRow};
 pub use poses::Poses;
 pub use servo::{Servo, Slide, drift};
 pub use shape::{Cylinder, Disc, Facet, Nearest, Piece, Plane, Shape, Side, Sphere, Tube};
+pub use surface::motion::{Motion, Pose, Table, TableRow};
 
 /// A wall about to be built.
 #[derive(Clone, Debug, PartialEq)]

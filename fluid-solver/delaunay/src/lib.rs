@@ -20,6 +20,8 @@ pub use check::{Faults, check};
 pub use delaunay::Delaunay;
 pub use error::Error;
 
+pub mod constrained;
+
 /// What lies behind a face of the hull.
 pub const HULL: u32 = u32::MAX;
 

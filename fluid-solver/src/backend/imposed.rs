@@ -1,7 +1,7 @@
 //! `imposed`: a flow stated by expressions of x, y, z, t. It pushes grains and is not pushed: whatever holds
 //! the field as it is takes the grains' reactions.
 
-use super::{FluidBackend, PointValue, Solution, Step};
+use super::{Attempt, FluidBackend, PointValue, Solution, Step};
 use crate::error::FluidError;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use case_io::document::{Document, Field};
@@ -138,6 +138,7 @@ impl Imposed {
                 gradient[1][0] - gradient[0][1],
             ],
             void_fraction: 1.0,
+            wetted_fraction: 1.0,
             kernel_width: 2.0 * grain.radius,
             own_share: 0.0,
             density: self.density,
@@ -188,7 +189,7 @@ impl FluidBackend for Imposed {
         self.populate(step.end(), grains)
     }
 
-    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Solution, FluidError> {
+    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Attempt, FluidError> {
         let mut ledger = FluidLedger::default();
         for ((grain, sample), reaction) in self.grains.iter().zip(&self.samples).zip(reactions) {
             let volume = self.volume(grain.radius);
@@ -205,7 +206,7 @@ impl FluidBackend for Imposed {
                 ledger.scale += drag.abs() + stress.abs() + explicit.abs();
             }
         }
-        Ok(Solution { ledger, ..Solution::default() })
+        Ok(Attempt::Solved(Solution { ledger, ..Solution::default() }))
     }
 
     fn prepare_samples(&mut self) {}
@@ -214,8 +215,9 @@ impl FluidBackend for Imposed {
         self.samples[row]
     }
 
-    fn commit(&mut self, step: Step) {
+    fn commit(&mut self, step: Step) -> Result<(), FluidError> {
         self.time = step.end();
+        Ok(())
     }
 
     fn at(&self, time: f64, point: [f64; 3]) -> Option<PointValue> {

@@ -9,7 +9,7 @@ use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use case_io::document::{Backend, Case};
 use interface::frames::{GrainRow, ReactionRow, SampleRow};
 use interface::ledger::FluidLedger;
-use interface::message::{Norms, Surface};
+use interface::message::{Norms, Surface, TooLarge};
 use std::path::Path;
 
 /// A window t_n → t_n + Δt.
@@ -37,6 +37,25 @@ pub struct Solution {
     pub ledger: FluidLedger,
     /// Linear iterations.
     pub iterations: u64,
+}
+
+/// What came of solving an iteration.
+#[derive(Clone, Debug)]
+pub enum Attempt {
+    /// The equations hold.
+    Solved(Solution),
+    /// Not with this Δt: the state is to be restored and the window offered anew, shorter.
+    TooLarge(TooLarge),
+}
+
+impl Attempt {
+    /// The solution, if there is one.
+    pub fn solved(self) -> Option<Solution> {
+        match self {
+            Self::Solved(solution) => Some(solution),
+            Self::TooLarge(_) => None,
+        }
+    }
 }
 
 /// The fluid at a point, for probes and series.
@@ -88,7 +107,7 @@ pub trait FluidBackend: Send {
     ///
     /// # Errors
     /// The linear solver does not converge; a non-finite number (which node).
-    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Solution, FluidError>;
+    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Attempt, FluidError>;
 
     /// Recovers the fields that are sampled, with the present u and p.
     fn prepare_samples(&mut self);
@@ -97,7 +116,10 @@ pub trait FluidBackend: Send {
     fn sample(&self, row: usize) -> SampleRow;
 
     /// Makes the iterate history.
-    fn commit(&mut self, step: Step);
+    ///
+    /// # Errors
+    /// A moved mesh that cannot be made anew.
+    fn commit(&mut self, step: Step) -> Result<(), FluidError>;
 
     /// The fluid at a point; none outside.
     fn at(&self, time: f64, point: [f64; 3]) -> Option<PointValue>;

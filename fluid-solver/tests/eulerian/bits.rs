@@ -50,7 +50,7 @@ fn window(backend: &mut Eulerian<3, 4>, n: usize) {
         backend.solve(step, &vec![row; 400]).unwrap();
         backend.prepare_samples();
     }
-    backend.commit(step);
+    backend.commit(step).unwrap();
 }
 
 fn bits(backend: &Eulerian<3, 4>) -> Vec<u64> {
@@ -124,7 +124,7 @@ fn restoring_a_window_brings_its_start_back_to_the_bit() {
     backend.save();
     let step = Step { time: LENGTH, length: LENGTH };
     backend.project(step, &grains(3)).unwrap();
-    backend.solve(step, &[]).unwrap();
+    backend.solve(step, &[]).unwrap().solved().unwrap();
     assert!(*backend.flow().state() != before);
     backend.restore();
     assert!(*backend.flow().state() == before);

@@ -102,14 +102,14 @@ fn ledger_closes<const D: usize, const N: usize>(cells: usize, count: usize) {
             }
             backend.project(step, &grains).unwrap();
             let reactions = reactions(&grains, length, &mut random);
-            let solution = backend.solve(step, &reactions).unwrap();
+            let solution = backend.solve(step, &reactions).unwrap().solved().unwrap();
             backend.prepare_samples();
             let ledger = &solution.ledger;
             assert!(defect(ledger) <= 1e-12, "{:e}: {ledger:?}", defect(ledger));
             assert!(ledger.drag.iter().any(|drag| drag.abs() > 1e-3 * ledger.scale), "{ledger:?}");
             what_grains_sample_is_what_the_fluid_gives(&backend, &grains, &reactions, ledger, length);
         }
-        backend.commit(step);
+        backend.commit(step).unwrap();
     }
 }
 
@@ -181,10 +181,10 @@ fn bed<const D: usize, const N: usize>(coefficient: f64, force: f64, length: f64
         let step = Step { time: n as f64 * length, length };
         backend.save();
         backend.project(step, &grains).unwrap();
-        let solution = backend.solve(step, &reactions).unwrap();
+        let solution = backend.solve(step, &reactions).unwrap().solved().unwrap();
         worst = worst.max(defect(&solution.ledger));
         backend.prepare_samples();
-        backend.commit(step);
+        backend.commit(step).unwrap();
     }
     assert!(worst <= 1e-12, "{worst:e}");
     let fluid: f64 = backend
@@ -238,8 +238,8 @@ fn grains_that_appear_leave_no_source_of_volume() {
         backend.populate(step.time, &grains[..20 * (n + 1)]).unwrap();
         backend.save();
         backend.project(step, &grains[..20 * (n + 1)]).unwrap();
-        backend.solve(step, &[]).unwrap();
-        backend.commit(step);
+        backend.solve(step, &[]).unwrap().solved().unwrap();
+        backend.commit(step).unwrap();
         assert!(largest_speed(backend.flow()) < 1e-10, "{:e}", largest_speed(backend.flow()));
     }
 }
@@ -257,7 +257,7 @@ fn an_enclosed_fluid_reports_the_volume_that_grains_displace_and_goes_on() {
     // One grain leaves: its volume is not replaced.
     let volume = std::f64::consts::PI * grains[39].radius.powi(2);
     backend.project(step, &grains[..39]).unwrap();
-    let solution = backend.solve(step, &[]).unwrap();
+    let solution = backend.solve(step, &[]).unwrap().solved().unwrap();
     assert!((solution.ledger.volume_defect / volume - 1.0).abs() < 1e-9);
     assert!(defect(&solution.ledger) <= 1e-12);
 }
@@ -288,10 +288,10 @@ fn a_bed_with_huge_drag_does_not_stir_a_fluid_at_rest_and_is_carried_by_its_pres
         let step = Step { time: n as f64 * 1e-3, length: 1e-3 };
         backend.save();
         backend.project(step, &grains).unwrap();
-        let solution = backend.solve(step, &vec![row; grains.len()]).unwrap();
+        let solution = backend.solve(step, &vec![row; grains.len()]).unwrap().solved().unwrap();
         assert!(largest_speed(backend.flow()) <= 1e-10, "{n}: {:e}", largest_speed(backend.flow()));
         assert!(defect(&solution.ledger) <= 1e-12);
-        backend.commit(step);
+        backend.commit(step).unwrap();
     }
     backend.prepare_samples();
     for row in 0..grains.len() {
@@ -311,7 +311,7 @@ fn one_way_grains_leave_the_fluid_alone_and_the_books_closed() {
     let step = Step { time: 0.0, length: 1e-3 };
     backend.save();
     backend.project(step, &grains).unwrap();
-    let solution = backend.solve(step, &vec![row; grains.len()]).unwrap();
+    let solution = backend.solve(step, &vec![row; grains.len()]).unwrap().solved().unwrap();
     backend.prepare_samples();
     assert!(largest_speed(backend.flow()) <= 1e-10);
     assert!(backend.sample(0).void_fraction < 1.0 && solution.ledger.drag[0] < 0.0);
@@ -330,7 +330,7 @@ fn a_grain_outside_the_fluid_samples_nothing_and_gives_nothing() {
     let row = ReactionRow { force: [0.0, 0.0, 1e3], exchange_coefficient: 1.0, ..ReactionRow::default() };
     let mut reactions = vec![ReactionRow::default(); 3];
     reactions[1] = row;
-    let solution = backend.solve(step, &reactions).unwrap();
+    let solution = backend.solve(step, &reactions).unwrap().solved().unwrap();
     backend.prepare_samples();
     assert_eq!(backend.sample(1).density, 0.0);
     assert_eq!(backend.sample(0).density, DENSITY);

@@ -47,7 +47,7 @@ fn iterations<const D: usize, const N: usize>(cells: usize, per_axis: usize, top
     backend.populate(0.0, &grains).unwrap();
     backend.save();
     backend.project(step, &grains).unwrap();
-    backend.solve(step, &vec![row; grains.len()]).unwrap().iterations
+    backend.solve(step, &vec![row; grains.len()]).unwrap().solved().unwrap().iterations
 }
 
 #[test]

@@ -68,6 +68,9 @@ fn facts(summary: &Summary) -> Vec<(&'static str, String)> {
         ("iterations per window", number(summary.iterations_per_window())),
         ("substeps", count(counts.substeps)),
     ];
+    if counts.refused > 0 {
+        facts.push(("windows offered anew", count(counts.refused)));
+    }
     if counts.grains > 0 {
         facts.push(("grains", count(counts.grains)));
     }

@@ -1,7 +1,7 @@
 //! Where the values of a grain stand in a row.
 
 use super::FileGrain;
-use crate::flaw::Flaw;
+use surface::Flaw;
 
 /// Names of the columns of x, y, z, of the velocity, of the angular velocity, and of the size.
 pub(super) type Names = [&'static str; 10];

@@ -8,8 +8,7 @@ mod xyz;
 use std::fs;
 use std::path::Path;
 
-use crate::error::DemError;
-use crate::flaw::Flaw;
+use surface::{Flaw, InputError};
 
 /// A grain as a file states it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,9 +27,9 @@ pub struct FileGrain {
 ///
 /// # Errors
 /// A file that cannot be read, has no grain, lacks x or y, or holds a value that is no finite number.
-pub fn read_grains(path: &Path) -> Result<Vec<FileGrain>, DemError> {
+pub fn read_grains(path: &Path) -> Result<Vec<FileGrain>, InputError> {
     let text =
-        fs::read_to_string(path).map_err(|source| DemError::Unreadable { path: path.into(), source })?;
+        fs::read_to_string(path).map_err(|source| InputError::Unreadable { path: path.into(), source })?;
     let grains = if text.starts_with("ITEM:") {
         dump::read(&text)
     } else if xyz::count(text.lines().next().unwrap_or_default()).is_some() {
@@ -38,7 +37,7 @@ pub fn read_grains(path: &Path) -> Result<Vec<FileGrain>, DemError> {
     } else {
         table::read(&text)
     };
-    let bad = |flaw: Flaw| DemError::BadFile { path: path.into(), flaw };
+    let bad = |flaw: Flaw| InputError::BadFile { path: path.into(), flaw };
     match grains {
         Ok(grains) if grains.is_empty() => Err(bad(Flaw::whole("holds no grain; it needs at least one row"))),
         Ok(grains) => Ok(grains),

@@ -2,7 +2,7 @@
 
 use super::FileGrain;
 use super::columns::{Columns, Names};
-use crate::flaw::Flaw;
+use surface::Flaw;
 
 const NAMES: Names = [
     "x[m]",

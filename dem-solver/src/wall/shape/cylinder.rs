@@ -2,7 +2,7 @@
 
 use super::{Nearest, Piece, Side, axial_and_radial};
 use crate::vector::{Spin, Vector, embed};
-use crate::wall::motion::Travel;
+use surface::motion::Travel;
 
 /// A circular cylinder without ends; grains are on one side of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

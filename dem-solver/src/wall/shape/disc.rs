@@ -2,7 +2,7 @@
 
 use super::{Nearest, Piece, axial_and_radial, circle_bounds};
 use crate::vector::{Spin, Vector};
-use crate::wall::motion::Travel;
+use surface::motion::Travel;
 
 /// A flat circular disc; it pushes to both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::{Nearest, Piece};
 use crate::vector::{Spin, Vector, embed};
-use crate::wall::motion::Travel;
+use surface::motion::Travel;
 
 /// An infinite plane; grains are on the side of its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::{Nearest, Piece, Side};
 use crate::vector::{Spin, Vector};
-use crate::wall::motion::Travel;
+use surface::motion::Travel;
 
 /// A sphere, in 2D a circle; grains are on one side of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -31,7 +31,7 @@ fn imposed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
 
 fn computed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
     rules.no_effect("fluid.field", "with backend = \"eulerian\"")?;
-    rules.optional_vector("fluid.velocity", fluid.velocity.as_ref())?;
+    velocity("fluid.velocity", fluid.velocity.as_ref(), rules)?;
     rules.optional_vector("fluid.body-force", fluid.body_force.as_ref())?;
     let tolerance = fluid.solve_tolerance();
     rules.number(
@@ -107,10 +107,15 @@ fn boundary(boundary: &Boundary, index: usize, rules: &Rules) -> Result<(), Case
     if kind == BoundaryKind::MovingWall {
         rules.required(&key("velocity"), "a moving wall needs it")?;
     }
-    match &boundary.velocity {
-        Some(BoundaryVelocity::Constant(vector)) => rules.vector(&key("velocity"), vector),
+    velocity(&key("velocity"), boundary.velocity.as_ref(), rules)
+}
+
+/// A velocity has as many components as the case has dimensions.
+fn velocity(key: &str, stated: Option<&BoundaryVelocity>, rules: &Rules) -> Result<(), CaseError> {
+    match stated {
+        Some(BoundaryVelocity::Constant(vector)) => rules.vector(key, vector),
         Some(BoundaryVelocity::Expression(expressions)) => {
-            rules.components(&key("velocity.expression"), expressions.len())
+            rules.components(&format!("{key}.expression"), expressions.len())
         }
         None => Ok(()),
     }
