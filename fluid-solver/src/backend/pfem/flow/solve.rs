@@ -74,6 +74,8 @@ struct Start<'a, const D: usize, const N: usize> {
 pub struct Flow<const D: usize, const N: usize> {
     fluid: Fluid,
     control: Control,
+    /// θ of the step.
+    implicitness: f64,
     /// Of the mesh that was there last.
     mesh: Option<(Topology<N>, Pressure)>,
     assembly: Assembly<D, N>,
@@ -102,6 +104,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         Self {
             fluid,
             control,
+            implicitness: control.implicitness,
             mesh: None,
             assembly: Assembly::default(),
             contact: Contact::default(),
@@ -148,6 +151,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         forces: &Forces<D>,
     ) -> Result<FlowSolution<D>, FlowFault> {
         let start = Start { cloud, walls, step, forces };
+        // The middle of a step would turn the part of v round that a blow takes away.
+        self.implicitness = if cloud.struck { 1.0 } else { self.control.implicitness };
         let nodes = cloud.place.len();
         let mut mesh = match self.mesh.take() {
             Some(mesh) if mesh.0.is_of(nodes, &cloud.cells) => mesh,
@@ -176,7 +181,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// Drops fly, and stop at walls.
     fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
         let Start { cloud, walls, step, forces } = start;
-        let implicit = self.control.implicitness * step.length;
+        let implicit = self.implicitness * step.length;
         for (_, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
             *v = moved(v, implicit, &forces.gravity);
         }
@@ -275,8 +280,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let Start { cloud, step, forces, .. } = start;
         let (inertia, compressibility) = (self.inertia(step), self.compressibility(step));
         let Fluid { density, viscosity, .. } = self.fluid;
-        let implicit = self.control.implicitness * step.length;
-        let place = |node: usize| moved(&cloud.place[node], implicit, &velocity[node]);
+        // In the middle, whatever θ is: there ∫∇·v is the change of volume.
+        let place = |node: usize| moved(&cloud.place[node], 0.5 * step.length, &velocity[node]);
         self.assembly.place(topology, place, inertia, viscosity);
         for_each(&mut self.excess, |node, e| {
             let (v, before) = (&velocity[node], &cloud.velocity[node]);
@@ -345,7 +350,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         for node in 0..mass.len() {
             let (before, middle) = (&cloud.velocity[node], &velocity[node]);
             let change: Vector<D> =
-                std::array::from_fn(|k| (middle[k] - before[k]) / self.control.implicitness);
+                std::array::from_fn(|k| (middle[k] - before[k]) / self.implicitness);
             let end = &mut end_velocity[node];
             *end = moved(end, 1.0, &change);
             if is_free(node) {
@@ -378,7 +383,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// ρ/(θΔt) (kg/(m³ s)).
     fn inertia(&self, step: Step) -> f64 {
-        self.fluid.density / (self.control.implicitness * step.length)
+        self.fluid.density / (self.implicitness * step.length)
     }
 
     /// 1/(κΔt) (1/(Pa s)).
