@@ -129,8 +129,8 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
         ),
         Part::TriangleWalls => {
             let named_walls =
-                walls(|shape| matches!(shape, WallShape::Stl(_) | WallShape::Obj(_) | WallShape::Mesh(_)));
-            named("wall with stl, obj or mesh", named_walls)
+                walls(|shape| !matches!(shape, WallShape::Plane(_) | WallShape::Cylinder(_) | WallShape::Sphere(_)));
+            named("wall with polyline, stl, obj or mesh", named_walls)
         }
         Part::PeriodicWrap => {
             let axes: Vec<String> = grains.periodic.iter().map(word).collect();
