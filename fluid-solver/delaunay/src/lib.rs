@@ -1,5 +1,7 @@
 //! Delaunay triangulations in two and three dimensions: exact, deterministic, reusable from step to step.
 
+pub mod constrained;
+
 /// What lies behind a face of the hull.
 pub const HULL: u32 = u32::MAX;
 

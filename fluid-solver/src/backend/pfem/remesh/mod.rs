@@ -1,1 +1,157 @@
 //! The mesh at t_{n+1}: which cells between the moved nodes are fluid.
+//!
+//! Nodes are managed on the moved surface, the surface is shifted a little to restore the volume, all nodes are
+//! triangulated with the surface in it, what lies inside is fluid, and then surfaces merge and break.
+
+mod books;
+mod correction;
+mod draft;
+mod management;
+mod recognition;
+mod size;
+mod tessellation;
+mod topology;
+mod transfer;
+
+pub use books::{Account, Books, Energy, EnergyBooks, VolumeBooks, energy, volume};
+pub use recognition::Recognition;
+pub use size::TargetSize;
+pub use topology::Events;
+
+use super::cloud::{Cloud, OUTSIDE};
+use super::wall::Wall;
+use crate::element::simplex::Vector;
+use draft::{Draft, area};
+use tessellation::Tessellation;
+
+/// Finds the mesh of moved nodes; all but the rules is scratch.
+#[derive(Clone, Debug, Default)]
+pub struct Remesher<const D: usize, const N: usize> {
+    /// How the fluid is told from the void.
+    pub recognition: Recognition,
+    draft: Draft,
+    triangles: Tessellation,
+    gradient: Vec<Vector<D>>,
+    volumes: Vec<f64>,
+    cells: Vec<[u32; N]>,
+    neighbours: Vec<[u32; N]>,
+    number: Vec<u32>,
+}
+
+impl Remesher<2, 3> {
+    /// A remesher with a rule.
+    pub fn new(recognition: Recognition) -> Self {
+        Self { recognition, ..Self::default() }
+    }
+
+    /// The mesh of a cloud whose nodes were moved: on entry its cells are those before the move.
+    ///
+    /// Σ m_i v_i over cells and drops (m_i a third of the cells around a node) is kept to round-off.
+    pub fn remesh(
+        &mut self,
+        cloud: &mut Cloud<2, 3>,
+        walls: &[Wall<2>],
+        time: f64,
+        size: &TargetSize,
+        books: &mut Books<2>,
+    ) -> Events {
+        let energy_before = energy(cloud);
+        self.draft.read(cloud, size);
+        let momentum = transfer::momentum(&self.draft.mass, &cloud.velocity);
+        let book = &mut books.volume;
+
+        let moved = correction::enclosed(cloud, &self.draft);
+        book.flow.add(moved - book.cells);
+        let change = management::manage(cloud, &mut self.draft, walls, time);
+        book.management.add(change);
+        let missing = book.target - moved - change - cloud.drop.iter().sum::<f64>();
+        correction::restore(cloud, &self.draft, walls, time, missing, &mut self.gradient);
+        let restored = correction::enclosed(cloud, &self.draft);
+        book.correction.add(restored - moved - change);
+
+        let (draft, triangles) = (&mut self.draft, &mut self.triangles);
+        let mut events = Events::default();
+        events.crossed = !self.recognition.recognise(cloud, draft, triangles);
+        let recognised = self.fluid_volume();
+        books.volume.overlap.add(recognised - restored);
+        self.topology(cloud, &mut books.volume, &mut events);
+        let as_before = self.triangles.fluid_count() == cloud.cells.len() && !self.draft.edited && events.none();
+        if !as_before || !self.still_delaunay(cloud) {
+            self.take_cells(cloud);
+        }
+        transfer::keep_momentum(cloud, &self.draft, momentum, &mut self.volumes);
+        books.volume.cells = volume(cloud);
+        books.volume.drops = cloud.drop.iter().sum();
+        books.energy.add(&energy_before, &energy(cloud));
+        events
+    }
+
+    /// Merges and breaks.
+    fn topology(&mut self, cloud: &mut Cloud<2, 3>, book: &mut VolumeBooks, events: &mut Events) {
+        let (draft, triangles) = (&mut self.draft, &mut self.triangles);
+        let (closed, gained) = topology::close_gaps(cloud, draft, triangles);
+        let (filled, void) = topology::fill_small_voids(cloud, draft, triangles);
+        book.merging.add(gained + void);
+        let (broken, lost) = topology::break_thin_cells(cloud, draft, triangles);
+        let (released, unborn) = topology::release_droplets(cloud, draft, triangles);
+        book.separation.add(-lost - unborn);
+        let (absorbed, owed) = topology::absorb_drops(cloud, draft, triangles);
+        book.absorption.add(-owed);
+        (events.closed, events.filled, events.broken) = (closed, filled, broken);
+        (events.released, events.absorbed) = (released, absorbed);
+        let wet = triangles.wet(cloud.place.len());
+        for node in 0..cloud.place.len() {
+            if !wet[node] && cloud.drop[node] == 0.0 && !draft.removed[node] {
+                draft.remove(node as u32);
+            }
+        }
+    }
+
+    fn fluid_volume(&self) -> f64 {
+        let fluid = (0..self.triangles.len()).filter(|&triangle| self.triangles.fluid[triangle]);
+        fluid.map(|triangle| area(&self.triangles.vertices(triangle))).sum()
+    }
+
+    /// Whether the old cells still are as good as new ones: then they stay, lest a mesh at rest flickers.
+    fn still_delaunay(&self, cloud: &Cloud<2, 3>) -> bool {
+        cloud.cells.iter().zip(&cloud.neighbours).enumerate().all(|(c, (cell, around))| {
+            let vertices = cloud.vertices(cell);
+            area(&vertices) > 0.0
+                && (0..3).filter(|&i| around[i] != OUTSIDE && (around[i] as usize) > c).all(|i| {
+                    let other = &cloud.cells[around[i] as usize];
+                    let apex = other.iter().find(|node| !cell.contains(node));
+                    apex.is_some_and(|&apex| !inside_circle(&vertices, &cloud.place[apex as usize]))
+                })
+        })
+    }
+
+    /// Makes the fluid triangles the cells of the cloud, without the nodes that go.
+    fn take_cells(&mut self, cloud: &mut Cloud<2, 3>) {
+        self.number.clear();
+        self.cells.clear();
+        for (triangle, &fluid) in self.triangles.fluid.iter().enumerate() {
+            self.number.push(if fluid { self.cells.len() as u32 } else { OUTSIDE });
+            if fluid {
+                self.cells.push(self.triangles.nodes(triangle));
+            }
+        }
+        self.neighbours.clear();
+        for triangle in (0..self.triangles.len()).filter(|&triangle| self.triangles.fluid[triangle]) {
+            let number = |next: u32| self.number.get(next as usize).copied().unwrap_or(OUTSIDE);
+            self.neighbours.push(self.triangles.neighbours(triangle).map(number));
+        }
+        std::mem::swap(&mut cloud.cells, &mut self.cells);
+        std::mem::swap(&mut cloud.neighbours, &mut self.neighbours);
+        self.draft.compact(cloud);
+    }
+}
+
+/// Whether a point lies in the circle through the corners by more than round-off.
+fn inside_circle(v: &[Vector<2>; 3], p: &Vector<2>) -> bool {
+    let d = v.map(|x| [x[0] - p[0], x[1] - p[1]]);
+    let square = d.map(|x| x[0] * x[0] + x[1] * x[1]);
+    let cross = |i: usize, j: usize| d[i][0] * d[j][1] - d[i][1] * d[j][0];
+    let determinant = square[0] * cross(1, 2) + square[1] * cross(2, 0) + square[2] * cross(0, 1);
+    let scale = square.iter().copied().fold(0.0, f64::max);
+    determinant > 1e-9 * scale * scale
+}

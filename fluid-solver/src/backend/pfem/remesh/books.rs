@@ -1,0 +1,137 @@
+//! What each stage did to the volume and the energy of the fluid.
+
+use crate::backend::pfem::cloud::Cloud;
+use crate::element::simplex::{Vector, dot, volume_and_gradients};
+
+/// A sum of changes and of their sizes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Account {
+    /// Σ δ.
+    pub sum: f64,
+    /// Σ |δ|.
+    pub absolute: f64,
+}
+
+impl Account {
+    /// Books a change.
+    pub fn add(&mut self, change: f64) {
+        self.sum += change;
+        self.absolute += change.abs();
+    }
+}
+
+/// Volume of the cells (m³; m² in 2D), by what changed it. Drops in flight are counted apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VolumeBooks {
+    /// Volume that there should be: the first one, and what came in through inlets since.
+    pub target: f64,
+    /// Volume of the cells at the end of the last remeshing.
+    pub cells: f64,
+    /// Volume of the drops at the end of the last remeshing.
+    pub drops: f64,
+    /// The flow moved the nodes.
+    pub flow: Account,
+    /// Boundary edges were collapsed and split.
+    pub management: Account,
+    /// Surfaces crossed: what lay twice is counted once.
+    pub overlap: Account,
+    /// Gaps closed and voids filled.
+    pub merging: Account,
+    /// Cells broken off, the drops made of them not deducted.
+    pub separation: Account,
+    /// Drops taken up.
+    pub absorption: Account,
+    /// The surface was shifted to restore the target.
+    pub correction: Account,
+}
+
+impl VolumeBooks {
+    /// Books of a fluid at its start.
+    pub fn start<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Self {
+        let (cells, drops) = (volume(cloud), cloud.drop.iter().sum());
+        Self { target: cells + drops, cells, drops, ..Self::default() }
+    }
+
+    /// What is missing of the target (positive) or too much.
+    pub fn missing(&self) -> f64 {
+        self.target - self.cells - self.drops
+    }
+}
+
+/// Energies of the fluid per density.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energy<const D: usize> {
+    /// ∫ ½ |v|² dV.
+    pub kinetic: f64,
+    /// ∫ x dV; the potential energy is −ρ g · of it.
+    pub moment: Vector<D>,
+}
+
+/// What remeshing in all did to the energies per density.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyBooks<const D: usize> {
+    /// Change of ∫ ½ |v|² dV.
+    pub kinetic: Account,
+    /// Change of ∫ x dV.
+    pub moment: [Account; D],
+}
+
+impl<const D: usize> Default for EnergyBooks<D> {
+    fn default() -> Self {
+        Self { kinetic: Account::default(), moment: [Account::default(); D] }
+    }
+}
+
+impl<const D: usize> EnergyBooks<D> {
+    /// Books the change from one energy to another.
+    pub fn add(&mut self, before: &Energy<D>, after: &Energy<D>) {
+        self.kinetic.add(after.kinetic - before.kinetic);
+        for k in 0..D {
+            self.moment[k].add(after.moment[k] - before.moment[k]);
+        }
+    }
+}
+
+/// The books of remeshing; a checkpoint holds them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Books<const D: usize> {
+    /// Volume.
+    pub volume: VolumeBooks,
+    /// Energy.
+    pub energy: EnergyBooks<D>,
+}
+
+impl<const D: usize> Books<D> {
+    /// Books of a fluid at its start.
+    pub fn start<const N: usize>(cloud: &Cloud<D, N>) -> Self {
+        Self { volume: VolumeBooks::start(cloud), energy: EnergyBooks::default() }
+    }
+}
+
+/// Volume of the cells.
+pub fn volume<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
+    cloud.cells.iter().map(|cell| volume_and_gradients(&cloud.vertices(cell)).0).sum()
+}
+
+/// Energy of the cells (v linear in each) and of the drops.
+pub fn energy<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Energy<D> {
+    let mut energy = Energy { kinetic: 0.0, moment: [0.0; D] };
+    for cell in &cloud.cells {
+        let vertices = cloud.vertices(cell);
+        let volume = volume_and_gradients(&vertices).0;
+        let velocities = cell.map(|node| cloud.velocity[node as usize]);
+        let sum: Vector<D> = std::array::from_fn(|k| velocities.iter().map(|v| v[k]).sum());
+        let squares: f64 = velocities.iter().map(|v| dot(v, v)).sum();
+        energy.kinetic += 0.5 * volume * (dot(&sum, &sum) + squares) / (N * (N + 1)) as f64;
+        for k in 0..D {
+            energy.moment[k] += volume * vertices.iter().map(|x| x[k]).sum::<f64>() / N as f64;
+        }
+    }
+    for ((x, v), drop) in cloud.place.iter().zip(&cloud.velocity).zip(&cloud.drop) {
+        energy.kinetic += 0.5 * drop * dot(v, v);
+        for k in 0..D {
+            energy.moment[k] += drop * x[k];
+        }
+    }
+    energy
+}

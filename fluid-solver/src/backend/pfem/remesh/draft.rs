@@ -1,0 +1,207 @@
+//! The cloud while it is edited: its surface, and what is known of its nodes beside their state.
+
+use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
+use crate::backend::pfem::wall::Contacts;
+use super::size::TargetSize;
+use crate::element::simplex::{Vector, distance, volume_and_gradients};
+
+/// No node, or more than one.
+pub const NONE: u32 = u32::MAX;
+
+/// Scratch of one remeshing in the plane.
+#[derive(Clone, Debug, Default)]
+pub struct Draft {
+    /// Edges of the surface, walls included, with the fluid on their left.
+    pub edges: Vec<[u32; 2]>,
+    /// Node after each on the surface, where there is exactly one.
+    pub next: Vec<u32>,
+    /// Node before.
+    pub previous: Vec<u32>,
+    /// Whether a node is on the surface.
+    pub exposed: Vec<bool>,
+    /// Whether a node is to go.
+    pub removed: Vec<bool>,
+    /// Target size h at each node (m).
+    pub size: Vec<f64>,
+    /// Volume of each node before: a third of its cells, or its drop.
+    pub mass: Vec<f64>,
+    /// Whether nodes came, went or were moved by an edit.
+    pub edited: bool,
+    youngest: u32,
+    place_of: Vec<u32>,
+}
+
+impl Draft {
+    /// Reads the moved cloud.
+    pub fn read(&mut self, cloud: &Cloud<2, 3>, size: &TargetSize) {
+        let nodes = cloud.place.len();
+        size.at_nodes(nodes, &mut self.size);
+        self.removed.clear();
+        self.removed.resize(nodes, false);
+        self.youngest = cloud.birth.iter().copied().max().unwrap_or(0);
+        self.edited = false;
+        nodal_volumes(cloud, &mut self.mass);
+        self.edges.clear();
+        for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
+            for i in (0..3).filter(|&i| around[i] == OUTSIDE) {
+                self.edges.push([cell[(i + 1) % 3], cell[(i + 2) % 3]]);
+            }
+        }
+        self.link(nodes);
+    }
+
+    /// Links the edges from node to node.
+    pub fn link(&mut self, nodes: usize) {
+        for links in [&mut self.next, &mut self.previous] {
+            links.clear();
+            links.resize(nodes, NONE);
+        }
+        self.exposed.clear();
+        self.exposed.resize(nodes, false);
+        let mut pinched = Vec::new();
+        for &[a, b] in &self.edges {
+            if self.next[a as usize] != NONE || self.previous[b as usize] != NONE {
+                pinched.push(if self.next[a as usize] != NONE { a } else { b });
+            }
+            self.next[a as usize] = b;
+            self.previous[b as usize] = a;
+            self.exposed[a as usize] = true;
+        }
+        for node in pinched {
+            self.next[node as usize] = NONE;
+            self.previous[node as usize] = NONE;
+        }
+    }
+
+    /// Target size between two nodes (m).
+    pub fn size_between(&self, a: u32, b: u32) -> f64 {
+        0.5 * (self.size[a as usize] + self.size[b as usize])
+    }
+
+    /// Adds a node halfway between two.
+    pub fn add_between(&mut self, cloud: &mut Cloud<2, 3>, a: u32, b: u32, contacts: Contacts) -> u32 {
+        let (a, b) = (a as usize, b as usize);
+        let mean = |values: &[Vector<2>]| [0, 1].map(|k| 0.5 * (values[a][k] + values[b][k]));
+        let (place, velocity) = (mean(&cloud.place), mean(&cloud.velocity));
+        let pressure = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
+        self.add(cloud, place, velocity, pressure, contacts, 0.5 * (self.size[a] + self.size[b]))
+    }
+
+    /// Adds a node.
+    pub fn add(
+        &mut self,
+        cloud: &mut Cloud<2, 3>,
+        place: Vector<2>,
+        velocity: Vector<2>,
+        pressure: f64,
+        contacts: Contacts,
+        size: f64,
+    ) -> u32 {
+        self.edited = true;
+        self.youngest += 1;
+        cloud.place.push(place);
+        cloud.velocity.push(velocity);
+        cloud.pressure.push(pressure);
+        cloud.contacts.push(contacts);
+        cloud.drop.push(0.0);
+        cloud.birth.push(self.youngest);
+        self.removed.push(false);
+        self.size.push(size);
+        self.mass.push(0.0);
+        cloud.place.len() as u32 - 1
+    }
+
+    /// Marks a node to go.
+    pub fn remove(&mut self, node: u32) {
+        self.edited = true;
+        self.removed[node as usize] = true;
+    }
+
+    /// Makes one node of nodes at exactly the same place, as in the corner of two walls.
+    pub fn unite_coincident(&mut self, cloud: &mut Cloud<2, 3>) {
+        let meshed = |node: &u32| cloud.drop[*node as usize] == 0.0 && !self.removed[*node as usize];
+        let mut order: Vec<u32> = (0..cloud.place.len() as u32).filter(meshed).collect();
+        let place = |node: u32| cloud.place[node as usize];
+        order.sort_unstable_by(|&a, &b| {
+            let ([x, y], [z, w]) = (place(a), place(b));
+            x.total_cmp(&z).then(y.total_cmp(&w)).then(a.cmp(&b))
+        });
+        let mut twin_of: Vec<u32> = (0..cloud.place.len() as u32).collect();
+        for pair in order.windows(2) {
+            if place(pair[0]) == place(pair[1]) {
+                twin_of[pair[1] as usize] = twin_of[pair[0] as usize];
+            }
+        }
+        for node in order.into_iter().filter(|&node| twin_of[node as usize] != node) {
+            let twin = twin_of[node as usize] as usize;
+            cloud.contacts[node as usize].iter().for_each(|wall| cloud.contacts[twin].insert(wall));
+            self.mass[twin] += self.mass[node as usize];
+            self.remove(node);
+        }
+        for node in self.edges.iter_mut().flatten() {
+            *node = twin_of[*node as usize];
+        }
+        self.edges.retain(|[a, b]| a != b);
+    }
+
+    /// Takes the nodes out that are to go; edges of the surface have none of them.
+    pub fn compact(&mut self, cloud: &mut Cloud<2, 3>) {
+        if !self.removed.contains(&true) {
+            return;
+        }
+        self.place_of.clear();
+        let mut kept = 0;
+        for &removed in &self.removed {
+            self.place_of.push(if removed { NONE } else { kept });
+            kept += u32::from(!removed);
+        }
+        let removed = std::mem::take(&mut self.removed);
+        retain(&removed, &mut cloud.place);
+        retain(&removed, &mut cloud.velocity);
+        retain(&removed, &mut cloud.pressure);
+        retain(&removed, &mut cloud.contacts);
+        retain(&removed, &mut cloud.drop);
+        retain(&removed, &mut cloud.birth);
+        retain(&removed, &mut self.size);
+        retain(&removed, &mut self.mass);
+        self.removed = removed;
+        self.removed.clear();
+        self.removed.resize(kept as usize, false);
+        for node in self.edges.iter_mut().flatten().chain(cloud.cells.iter_mut().flatten()) {
+            *node = self.place_of[*node as usize];
+        }
+    }
+}
+
+fn retain<T>(removed: &[bool], values: &mut Vec<T>) {
+    let mut gone = removed.iter();
+    values.retain(|_| gone.next() == Some(&false));
+}
+
+/// Volume of each node: a third of its cells, and its drop.
+pub fn nodal_volumes(cloud: &Cloud<2, 3>, volumes: &mut Vec<f64>) {
+    volumes.clear();
+    volumes.extend_from_slice(&cloud.drop);
+    for cell in &cloud.cells {
+        let volume = volume_and_gradients(&cloud.vertices(cell)).0;
+        for &node in cell {
+            volumes[node as usize] += volume / 3.0;
+        }
+    }
+}
+
+/// Height of a triangle over its longest edge, signed as its area (m).
+pub fn height(vertices: &[Vector<2>; 3]) -> f64 {
+    let longest = crate::element::simplex::longest_edge(vertices);
+    2.0 * area(vertices) / longest
+}
+
+/// Signed area of a triangle.
+pub fn area(v: &[Vector<2>; 3]) -> f64 {
+    0.5 * ((v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[1][1] - v[0][1]) * (v[2][0] - v[0][0]))
+}
+
+/// Radius of the circle through the corners of a triangle (m).
+pub fn circumradius(v: &[Vector<2>; 3]) -> f64 {
+    distance(&v[0], &v[1]) * distance(&v[1], &v[2]) * distance(&v[2], &v[0]) / (4.0 * area(v).abs())
+}

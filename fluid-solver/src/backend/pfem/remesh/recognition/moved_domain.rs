@@ -1,0 +1,57 @@
+//! The inside of the moved surface.
+
+use crate::backend::pfem::cloud::Cloud;
+use super::super::draft::Draft;
+use super::super::tessellation::Tessellation;
+use super::{Predicate, crossings};
+use delaunay::HULL;
+
+/// Winding number of the moved surface > 0.
+///
+/// The edges of the surface are edges of the triangulation, so that the number is the same all over a triangle: it
+/// grows by one from right to left of an edge. Where surfaces have crossed it is 2, and counts once; where the
+/// surface has turned inside out it is −1, and does not count.
+pub struct MovedDomain;
+
+impl Predicate for MovedDomain {
+    fn recognise(&self, cloud: &mut Cloud<2, 3>, draft: &mut Draft, triangles: &mut Tessellation) -> bool {
+        let untouched = crossings::force_surface(cloud, draft, triangles);
+        let steps = steps(draft, triangles);
+        let mut winding = vec![None; triangles.len()];
+        let mut front: Vec<usize> = Vec::new();
+        for triangle in 0..triangles.len() {
+            for i in (0..3).filter(|&i| triangles.neighbours(triangle)[i] == HULL) {
+                if winding[triangle].is_none() {
+                    winding[triangle] = Some(steps[triangle][i]);
+                    front.push(triangle);
+                }
+            }
+        }
+        while let Some(triangle) = front.pop() {
+            let Some(here) = winding[triangle] else { continue };
+            for (i, &next) in triangles.neighbours(triangle).iter().enumerate() {
+                if next != HULL && winding[next as usize].is_none() {
+                    winding[next as usize] = Some(here - steps[triangle][i]);
+                    front.push(next as usize);
+                }
+            }
+        }
+        triangles.fluid.clear();
+        triangles.fluid.extend(winding.iter().map(|number| number.is_some_and(|w| w > 0)));
+        untouched
+    }
+}
+
+/// By how much the winding number grows across each edge into the triangle.
+fn steps(draft: &Draft, triangles: &Tessellation) -> Vec<[i32; 3]> {
+    let mut steps = vec![[0; 3]; triangles.len()];
+    for [a, b] in draft.edges.iter().map(|edge| edge.map(|node| triangles.point_of[node as usize])) {
+        if let Some((triangle, i)) = triangles.made.left_of(a, b) {
+            steps[triangle][i] += 1;
+        }
+        if let Some((triangle, i)) = triangles.made.left_of(b, a) {
+            steps[triangle][i] -= 1;
+        }
+    }
+    steps
+}

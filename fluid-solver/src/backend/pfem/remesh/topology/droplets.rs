@@ -1,0 +1,79 @@
+//! Pieces of fluid that are too small for cells become one drop in flight.
+
+use crate::backend::pfem::cloud::Cloud;
+use super::super::draft::{Draft, area};
+use super::super::tessellation::Tessellation;
+use crate::element::simplex::Vector;
+use delaunay::HULL;
+
+/// A piece smaller than this many h² is a drop.
+const SMALLEST: f64 = 0.3;
+
+/// Makes a drop of every small piece; returns their number and the area that is in none of them.
+pub fn release_droplets(
+    cloud: &mut Cloud<2, 3>,
+    draft: &mut Draft,
+    triangles: &mut Tessellation,
+) -> (u32, f64) {
+    let (mut count, mut lost) = (0, 0.0);
+    let mut seen: Vec<bool> = triangles.fluid.iter().map(|fluid| !fluid).collect();
+    let mut piece = Vec::new();
+    for seed in 0..triangles.len() {
+        if seen[seed] {
+            continue;
+        }
+        seen[seed] = true;
+        piece.clear();
+        piece.push(seed);
+        let (mut volume, mut moment, mut momentum, mut visited) = (0.0, [0.0; 2], [0.0; 2], 0);
+        while let Some(&triangle) = piece.get(visited) {
+            visited += 1;
+            let part = area(&triangles.vertices(triangle));
+            volume += part;
+            for node in triangles.nodes(triangle) {
+                let (x, v) = (cloud.place[node as usize], cloud.velocity[node as usize]);
+                moment = [0, 1].map(|k| moment[k] + part / 3.0 * x[k]);
+                momentum = [0, 1].map(|k| momentum[k] + part / 3.0 * v[k]);
+            }
+            for next in triangles.neighbours(triangle) {
+                if next != HULL && !seen[next as usize] {
+                    seen[next as usize] = true;
+                    piece.push(next as usize);
+                }
+            }
+        }
+        let h = draft.size[triangles.nodes(seed)[0] as usize];
+        if volume < SMALLEST * h * h {
+            piece.iter().for_each(|&triangle| triangles.fluid[triangle] = false);
+            lost += gather(cloud, draft, triangles, &piece, volume, moment, momentum);
+            count += 1;
+        }
+    }
+    (count, lost)
+}
+
+/// Gathers a piece in its first node that belongs to no other; returns the area lost if there is none.
+fn gather(
+    cloud: &mut Cloud<2, 3>,
+    draft: &mut Draft,
+    triangles: &Tessellation,
+    piece: &[usize],
+    volume: f64,
+    moment: Vector<2>,
+    momentum: Vector<2>,
+) -> f64 {
+    let wet = triangles.wet(cloud.place.len());
+    let mut own: Vec<u32> = piece.iter().flat_map(|&triangle| triangles.nodes(triangle)).collect();
+    own.retain(|&node| !wet[node as usize] && cloud.drop[node as usize] == 0.0);
+    own.sort_unstable();
+    own.dedup();
+    let Some((&first, others)) = own.split_first() else { return volume };
+    let common = own.iter().map(|&n| cloud.contacts[n as usize]).reduce(|a, b| a.common(b));
+    let node = first as usize;
+    cloud.drop[node] = volume;
+    cloud.place[node] = moment.map(|m| m / volume);
+    cloud.velocity[node] = momentum.map(|m| m / volume);
+    cloud.contacts[node] = common.unwrap_or_default();
+    others.iter().for_each(|&other| draft.remove(other));
+    0.0
+}

@@ -1,0 +1,42 @@
+//! Events: surfaces merge, voids fill, necks break, drops leave and come back.
+
+mod absorption;
+mod closing;
+mod droplets;
+mod separation;
+mod voids;
+
+pub use absorption::absorb_drops;
+pub use closing::close_gaps;
+pub use droplets::release_droplets;
+pub use separation::break_thin_cells;
+pub use voids::fill_small_voids;
+
+/// What happened in a remeshing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Events {
+    /// Triangles of void between approaching surfaces that became fluid.
+    pub closed: u32,
+    /// Voids that were filled.
+    pub filled: u32,
+    /// Surfaces crossed.
+    pub crossed: bool,
+    /// Thin cells broken off.
+    pub broken: u32,
+    /// Drops that left.
+    pub released: u32,
+    /// Drops taken up.
+    pub absorbed: u32,
+}
+
+impl Events {
+    /// Whether fluid met fluid: its velocity is not free of divergence then.
+    pub fn impact(&self) -> bool {
+        self.closed > 0 || self.filled > 0 || self.crossed || self.absorbed > 0
+    }
+
+    /// Whether nothing happened.
+    pub fn none(&self) -> bool {
+        *self == Self::default()
+    }
+}

@@ -1,0 +1,50 @@
+//! Sheets and necks break where they are too thin for the cells.
+
+use crate::backend::pfem::cloud::Cloud;
+use super::super::draft::{Draft, area, height};
+use super::super::tessellation::Tessellation;
+
+/// A cell between two surfaces breaks when it is thinner than this share of h.
+const THINNEST: f64 = 0.05;
+
+/// Breaks thin cells with all corners on the surface. Nodes that lose their last cell become drops with its volume.
+/// Returns the number of cells and the area that is in none of the drops.
+pub fn break_thin_cells(
+    cloud: &mut Cloud<2, 3>,
+    draft: &Draft,
+    triangles: &mut Tessellation,
+) -> (u32, f64) {
+    let mut exposed = vec![false; cloud.place.len()];
+    for triangle in (0..triangles.len()).filter(|&triangle| triangles.fluid[triangle]) {
+        let nodes = triangles.nodes(triangle);
+        for i in (0..3).filter(|&i| !triangles.fluid_across(triangle, i)) {
+            exposed[nodes[(i + 1) % 3] as usize] = true;
+            exposed[nodes[(i + 2) % 3] as usize] = true;
+        }
+    }
+    let mut broken = Vec::new();
+    for triangle in 0..triangles.len() {
+        let nodes = triangles.nodes(triangle);
+        let h = nodes.map(|node| draft.size[node as usize]).iter().sum::<f64>() / 3.0;
+        let thin = || height(&triangles.vertices(triangle)) < THINNEST * h;
+        if triangles.fluid[triangle] && nodes.iter().all(|&node| exposed[node as usize]) && thin() {
+            broken.push(triangle);
+        }
+    }
+    broken.iter().for_each(|&triangle| triangles.fluid[triangle] = false);
+    let mut lost = 0.0;
+    if !broken.is_empty() {
+        let wet = triangles.wet(cloud.place.len());
+        for &triangle in &broken {
+            let volume = area(&triangles.vertices(triangle));
+            let dry: Vec<u32> = triangles.nodes(triangle).into_iter().filter(|&n| !wet[n as usize]).collect();
+            for &node in &dry {
+                cloud.drop[node as usize] += volume / dry.len() as f64;
+            }
+            if dry.is_empty() {
+                lost += volume;
+            }
+        }
+    }
+    (broken.len() as u32, lost)
+}
