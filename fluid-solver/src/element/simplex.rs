@@ -31,9 +31,8 @@ pub fn volume_and_gradients<const D: usize, const N: usize>(
     vertices: &[Vector<D>; N],
 ) -> (f64, [Vector<D>; N]) {
     const { assert!(N == D + 1 && (D == 2 || D == 3)) };
-    let edge: [Vector<D>; D] = std::array::from_fn(|k| difference(&vertices[k + 1], &vertices[0]));
-    let cofactor: [Vector<D>; D] = std::array::from_fn(|k| cofactor_row(&edge, k));
-    let determinant = dot(&edge[0], &cofactor[0]);
+    let cofactor = cofactors(vertices);
+    let determinant = dot(&difference(&vertices[1], &vertices[0]), &cofactor[0]);
     let mut gradients = [[0.0; D]; N];
     for k in 0..D {
         for j in 0..D {
@@ -41,8 +40,33 @@ pub fn volume_and_gradients<const D: usize, const N: usize>(
             gradients[0][j] -= gradients[k + 1][j];
         }
     }
-    let factorial = if D == 2 { 2.0 } else { 6.0 };
-    (determinant / factorial, gradients)
+    (determinant / factorial(D), gradients)
+}
+
+/// Signed volume V and the vectors `V ∇N_i`, finite also where the volume is zero.
+pub fn volume_and_areas<const D: usize, const N: usize>(vertices: &[Vector<D>; N]) -> (f64, [Vector<D>; N]) {
+    const { assert!(N == D + 1 && (D == 2 || D == 3)) };
+    let cofactor = cofactors(vertices);
+    let determinant = dot(&difference(&vertices[1], &vertices[0]), &cofactor[0]);
+    let mut areas = [[0.0; D]; N];
+    for k in 0..D {
+        for j in 0..D {
+            areas[k + 1][j] = cofactor[k][j] / factorial(D);
+            areas[0][j] -= areas[k + 1][j];
+        }
+    }
+    (determinant / factorial(D), areas)
+}
+
+/// D!
+fn factorial(dimension: usize) -> f64 {
+    if dimension == 2 { 2.0 } else { 6.0 }
+}
+
+/// Cofactors of the matrix whose rows are the edges from the first vertex.
+fn cofactors<const D: usize, const N: usize>(vertices: &[Vector<D>; N]) -> [Vector<D>; D] {
+    let edge: [Vector<D>; D] = std::array::from_fn(|k| difference(&vertices[k + 1], &vertices[0]));
+    std::array::from_fn(|k| cofactor_row(&edge, k))
 }
 
 /// Row `k` of the cofactors of the matrix with rows `edge`: normal to all other rows.

@@ -1,1 +1,27 @@
 //! A step on the mesh at t_n: velocity and pressure of its middle, as one system.
+//!
+//! ρ Dv/Dt = ∇·τ − ∇p + ρg and ∇·v + (1/κ) Dp/Dt = 0 with P1 velocity and pressure on the mesh in the middle of the step,
+//! x_m = x_n + θΔt v_m; traction is zero on the free surface. The mass row of a node is
+//!
+//! Σ_e [∫N ∇·v + τ∇N·(ρ(v_m − v_n)/(θΔt) + ∇p − ρg)] = 0:
+//!
+//! the stabilisation holds the whole residual, so that a fluid at rest, in free fall or in an accelerated tank is exact,
+//! and no wall and no surface needs a term of its own. Masses are lumped.
+
+mod cell;
+mod chunks;
+mod constraint;
+mod contact;
+mod fault;
+mod krylov;
+mod nodal;
+mod preconditioner;
+mod solution;
+mod solve;
+mod strain;
+mod topology;
+
+pub use fault::FlowFault;
+pub use solution::{FlowSolution, Residuals};
+pub use solve::{Control, Flow, Fluid, Forces};
+pub use strain::Strain;

@@ -1,0 +1,102 @@
+//! What a cell adds to the rows of its nodes.
+
+use crate::element::simplex::{Vector, dot, volume_and_areas};
+
+/// A cell in the middle of the step.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell<const D: usize, const N: usize> {
+    /// V (m³), signed.
+    pub volume: f64,
+    /// a_i = V∇N_i, finite in the thinnest cell.
+    pub areas: [Vector<D>; N],
+    /// 1/V, V not less than that of a sliver.
+    pub inverse: f64,
+    /// τ (m³ s/kg).
+    pub relaxation: f64,
+    /// μ (Pa s).
+    pub viscosity: f64,
+}
+
+/// The share of the volume of a regular cell of the same longest edge below which V is not taken in a divisor.
+const SLIVER: f64 = 1e-6;
+
+/// The volume of a regular simplex of edge 1.
+pub const fn regular_volume(dimension: usize) -> f64 {
+    if dimension == 2 { 0.433_012_701_892_219_3 } else { 0.117_851_130_197_757_93 }
+}
+
+impl<const D: usize, const N: usize> Cell<D, N> {
+    /// A cell with these corners; `inertia` is ρ/(θΔt).
+    ///
+    /// τ = (8μ/h² + ρ/(θΔt))⁻¹ with h = 2V^{1/D}.
+    ///
+    /// Source: Oñate, Franci and Carbonell, *Int. J. Numer. Meth. Fluids* 74 (2014) 699.
+    pub fn new(corners: &[Vector<D>; N], inertia: f64, viscosity: f64) -> Self {
+        let (volume, areas) = volume_and_areas(corners);
+        let longest = crate::element::simplex::longest_edge(corners);
+        let least = SLIVER * regular_volume(D) * longest.powi(D as i32);
+        let size = volume.max(least);
+        let h = 2.0 * if D == 2 { size.sqrt() } else { size.cbrt() };
+        let relaxation = 1.0 / (8.0 * viscosity / (h * h) + inertia);
+        Self { volume, areas, inverse: 1.0 / size, relaxation, viscosity }
+    }
+
+    /// V∇v = Σ v_j ⊗ a_j.
+    pub fn velocity_gradient(&self, v: &[Vector<D>; N]) -> [Vector<D>; D] {
+        let mut gradient = [[0.0; D]; D];
+        for (v, a) in v.iter().zip(&self.areas) {
+            for k in 0..D {
+                for l in 0..D {
+                    gradient[k][l] += v[k] * a[l];
+                }
+            }
+        }
+        gradient
+    }
+
+    /// The forces ∫(τ − p I)∇N_i (N) and the volume rows ∫N_i∇·v + τ∇N_i·(e + ∇p) (m³/s), e being the residual of
+    /// momentum at the corners but for its stresses (N/m³).
+    ///
+    /// `curvature` times V det ∇v is added to the rate of volume, N_i sharing it: with Δt²/4 in space the sum is
+    /// (V_{n+1} − V_n)/Δt itself.
+    pub fn rows(
+        &self,
+        v: &[Vector<D>; N],
+        p: &[f64; N],
+        e: &[Vector<D>; N],
+        curvature: f64,
+    ) -> ([Vector<D>; N], [f64; N]) {
+        let share = 1.0 / N as f64;
+        let gradient = self.velocity_gradient(v);
+        let rate: f64 = (0..D).map(|k| gradient[k][k]).sum();
+        let pressure = share * p.iter().sum::<f64>();
+        let shear = self.viscosity * self.inverse;
+        let stress: [Vector<D>; D] = std::array::from_fn(|k| {
+            std::array::from_fn(|l| {
+                let isotropic = if k == l { 2.0 / 3.0 * shear * rate + pressure } else { 0.0 };
+                shear * (gradient[k][l] + gradient[l][k]) - isotropic
+            })
+        });
+        let mut excess = [0.0; D];
+        for k in 0..D {
+            let mean = share * e.iter().map(|e| e[k]).sum::<f64>();
+            let slope: f64 = p.iter().zip(&self.areas).map(|(p, a)| p * a[k]).sum();
+            excess[k] = self.relaxation * (mean + self.inverse * slope);
+        }
+        let volume = share * (rate + curvature * self.inverse.powi(D as i32 - 1) * determinant(&gradient));
+        (
+            self.areas.map(|a| std::array::from_fn(|k| dot(&stress[k], &a))),
+            self.areas.map(|a| volume + dot(&a, &excess)),
+        )
+    }
+}
+
+/// det of a matrix by rows.
+pub fn determinant<const D: usize>(m: &[Vector<D>; D]) -> f64 {
+    if D == 2 {
+        m[0][0] * m[1][1] - m[0][1] * m[1][0]
+    } else {
+        let minor = |j: usize, k: usize| m[1][j] * m[2][k] - m[1][k] * m[2][j];
+        m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1)
+    }
+}

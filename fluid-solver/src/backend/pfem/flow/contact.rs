@@ -1,0 +1,144 @@
+//! Which nodes walls hold, and how.
+
+use super::constraint::Constraint;
+use crate::backend::Step;
+use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
+use crate::backend::pfem::wall::{Contacts, Grip, Wall};
+use crate::element::simplex::{Vector, dot};
+
+/// A gap above minus this share of the way of a node is none.
+const TOUCHING: f64 = 1e-12;
+
+impl<const D: usize, const N: usize> Cloud<D, N> {
+    /// Calls `visit` with a cell and the corner opposite to each of its faces on the free surface: those without
+    /// neighbour whose nodes are not all on one wall.
+    pub fn for_each_free_face(&self, mut visit: impl FnMut(usize, usize)) {
+        for (cell, (nodes, neighbours)) in self.cells.iter().zip(&self.neighbours).enumerate() {
+            for opposite in (0..N).filter(|&corner| neighbours[corner] == OUTSIDE) {
+                let face = (0..N).filter(|&corner| corner != opposite);
+                let contacts = face.map(|corner| self.contacts[nodes[corner] as usize]);
+                if contacts.reduce(Contacts::common).is_none_or(Contacts::is_empty) {
+                    visit(cell, opposite);
+                }
+            }
+        }
+    }
+}
+
+/// The walls that act on the nodes in a step: those touched at its start, and those that would be crossed.
+#[derive(Debug, Default)]
+pub struct Contact<const D: usize> {
+    /// Walls that each node will touch at the end.
+    pub touched: Vec<Contacts>,
+    /// What they prescribe of v_m.
+    pub constraints: Vec<Constraint<D>>,
+    /// Whether each node sticks to the walls that it touched at the start where they grip: drops and nodes of the free
+    /// surface slide.
+    sticks: Vec<bool>,
+}
+
+impl<const D: usize> Contact<D> {
+    /// Starts a step with the walls touched: a node of a free face slides, others stick to walls that grip.
+    pub fn begin<const N: usize>(&mut self, cloud: &Cloud<D, N>) {
+        self.touched.clone_from(&cloud.contacts);
+        self.sticks.clear();
+        self.sticks.resize(cloud.place.len(), false);
+        for &node in cloud.cells.as_flattened() {
+            self.sticks[node as usize] = true;
+        }
+        cloud.for_each_free_face(|cell, opposite| {
+            for corner in (0..N).filter(|&corner| corner != opposite) {
+                self.sticks[cloud.cells[cell][corner] as usize] = false;
+            }
+        });
+        self.constraints.clear();
+        self.constraints.resize(cloud.place.len(), Constraint::FREE);
+    }
+
+    /// Prescribes v_m such that the gaps at the end vanish: n·v_m = n·v − gap(x_n + Δt v)/Δt, linear about the iterate v;
+    /// a node that sticks has the velocity of the wall in the middle of the step.
+    pub fn constrain<const N: usize>(
+        &mut self,
+        cloud: &Cloud<D, N>,
+        walls: &[Wall<D>],
+        step: Step,
+        v: &[Vector<D>],
+    ) {
+        let middle = step.time + 0.5 * step.length;
+        for (node, touched) in self.touched.iter().enumerate() {
+            if touched.is_empty() {
+                continue;
+            }
+            let (place, mut v) = (&cloud.place[node], v[node]);
+            let held = cloud.contacts[node].iter();
+            let gripping = held.filter(|_| self.sticks[node]).find(|&wall| walls[wall].grip == Grip::NoSlip);
+            if let Some(wall) = gripping {
+                v = walls[wall].touch(&moved(place, 0.5 * step.length, &v), middle).velocity;
+            }
+            let mut constraint = Constraint::FREE;
+            for wall in touched.iter() {
+                let touch = walls[wall].touch(&moved(place, step.length, &v), step.end());
+                let along = dot(&touch.normal, &v);
+                constraint.add(&touch.normal, along - touch.gap / step.length);
+            }
+            if gripping.is_some() {
+                constraint.complete(&v);
+            }
+            self.constraints[node] = constraint;
+        }
+    }
+
+    /// Adds the walls that nodes would cross with these velocities; how many.
+    pub fn find<const N: usize>(
+        &mut self,
+        cloud: &Cloud<D, N>,
+        walls: &[Wall<D>],
+        step: Step,
+        v: &[Vector<D>],
+    ) -> usize {
+        let mut found = 0;
+        for (node, touched) in self.touched.iter_mut().enumerate() {
+            let end = moved(&cloud.place[node], step.length, &v[node]);
+            let way = step.length * v[node].iter().map(|v| v.abs()).sum::<f64>();
+            for (index, wall) in walls.iter().enumerate() {
+                if !touched.contains(index) && wall.touch(&end, step.end()).gap < -TOUCHING * way {
+                    touched.insert(index);
+                    found += 1;
+                }
+            }
+        }
+        found
+    }
+
+    /// v_{n+1} of a node that moved with v_m = `middle`: the walls' own velocity in the directions they hold, `v` else.
+    pub fn at_end<const N: usize>(
+        &self,
+        cloud: &Cloud<D, N>,
+        walls: &[Wall<D>],
+        step: Step,
+        node: usize,
+        middle: &Vector<D>,
+        v: &Vector<D>,
+    ) -> Vector<D> {
+        let (touched, held) = (self.touched[node], cloud.contacts[node]);
+        let place = moved(&cloud.place[node], step.length, middle);
+        let mut constraint = Constraint::FREE;
+        let mut gripped = None;
+        for wall in touched.iter() {
+            let touch = walls[wall].touch(&place, step.end());
+            constraint.add(&touch.normal, dot(&touch.normal, &touch.velocity));
+            if walls[wall].grip == Grip::NoSlip && self.sticks[node] && held.contains(wall) {
+                gripped = Some(touch.velocity);
+            }
+        }
+        if let Some(velocity) = gripped {
+            constraint.complete(&velocity);
+        }
+        constraint.impose(v)
+    }
+}
+
+/// x + t v.
+pub fn moved<const D: usize>(x: &Vector<D>, t: f64, v: &Vector<D>) -> Vector<D> {
+    std::array::from_fn(|k| x[k] + t * v[k])
+}

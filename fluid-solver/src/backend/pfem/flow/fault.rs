@@ -1,0 +1,53 @@
+//! Why a step is refused.
+
+/// Why a step is refused.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FlowFault {
+    /// A cell would be strained too far: a smaller step is right.
+    #[error(
+        "cell {cell} at {place:?} would be turned over in the step of {length} s; allowed {bound} s: take a smaller step"
+    )]
+    Inverted {
+        /// The cell.
+        cell: usize,
+        /// Its first corner (m).
+        place: Vec<f64>,
+        /// Δt tried (s).
+        length: f64,
+        /// Δt at which it would not be (s).
+        bound: f64,
+    },
+    /// The geometry or the linear solver does not converge.
+    #[error(
+        "the step at t = {time} s: residual {residual:.3e} N after {passes} passes and {iterations} iterations, allowed {target:.3e} N: take a smaller step"
+    )]
+    NotConverged {
+        /// t_n (s).
+        time: f64,
+        /// Passes done.
+        passes: u64,
+        /// Linear iterations done.
+        iterations: u64,
+        /// Norm reached (N).
+        residual: f64,
+        /// Norm allowed (N).
+        target: f64,
+    },
+    /// A number that is not finite.
+    #[error(
+        "node {node}: the {quantity} is {value} at t = {time} s; it must be finite: look at the forces and walls there"
+    )]
+    NonFinite {
+        /// The node.
+        node: usize,
+        /// What.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// t_n (s).
+        time: f64,
+    },
+    /// A matrix that cannot be used.
+    #[error(transparent)]
+    Linear(#[from] linear::Error),
+}

@@ -1,0 +1,107 @@
+//! All rows of the system, summed by node from the cells around it.
+
+use super::cell::Cell;
+use super::chunks::for_each;
+use super::topology::Topology;
+use crate::element::simplex::Vector;
+
+/// The cells in the middle of the step, and what they add to their corners.
+#[derive(Debug)]
+pub struct Assembly<const D: usize, const N: usize> {
+    /// The cells.
+    pub cells: Vec<Cell<D, N>>,
+    /// V_i = Σ V/N (m³); 0 at drops.
+    pub volumes: Vec<f64>,
+    rows: Vec<Rows<D, N>>,
+}
+
+/// Forces and volumes on the corners of a cell.
+type Rows<const D: usize, const N: usize> = ([Vector<D>; N], [f64; N]);
+
+/// Fields at the nodes that the rows depend on.
+#[derive(Clone, Copy)]
+pub struct Fields<'a, const D: usize> {
+    /// v (m/s).
+    pub velocity: &'a [Vector<D>],
+    /// p (Pa).
+    pub pressure: &'a [f64],
+    /// e = ρ(v − v_n)/(θΔt) − ρg: the residual of momentum but for the stresses (N/m³).
+    pub excess: &'a [Vector<D>],
+}
+
+impl<const D: usize, const N: usize> Default for Assembly<D, N> {
+    fn default() -> Self {
+        Self { cells: Vec::new(), volumes: Vec::new(), rows: Vec::new() }
+    }
+}
+
+impl<const D: usize, const N: usize> Assembly<D, N> {
+    /// Takes the cells with their corners at x_n + t v; `inertia` is ρ/(θΔt).
+    pub fn place(
+        &mut self,
+        topology: &Topology<N>,
+        place: impl Fn(usize) -> Vector<D> + Sync,
+        inertia: f64,
+        viscosity: f64,
+    ) {
+        let empty = Cell::new(&[[0.0; D]; N], 1.0, 0.0);
+        self.cells.resize(topology.cells().len(), empty);
+        self.rows.resize(topology.cells().len(), ([[0.0; D]; N], [0.0; N]));
+        for_each(&mut self.cells, |index, cell| {
+            let corners = topology.cells()[index].map(|node| place(node as usize));
+            *cell = Cell::new(&corners, inertia, viscosity);
+        });
+        self.volumes.resize(topology.pattern().rows(), 0.0);
+        let cells = &self.cells;
+        for_each(&mut self.volumes, |node, volume| {
+            *volume = topology.corners(node).iter().map(|c| cells[c.cell as usize].volume / N as f64).sum();
+        });
+    }
+
+    /// The rows of momentum (N) and of volume (m³/s); with `curvature` as [`Cell::rows`] has it.
+    pub fn evaluate(
+        &mut self,
+        topology: &Topology<N>,
+        fields: Fields<'_, D>,
+        curvature: f64,
+        momentum: &mut [Vector<D>],
+        volume: &mut [f64],
+    ) {
+        let Self { cells, volumes, rows } = self;
+        let Fields { velocity, pressure, excess } = fields;
+        for_each(rows, |index, rows| {
+            let nodes = topology.cells()[index].map(|node| node as usize);
+            let (v, p) = (nodes.map(|node| velocity[node]), nodes.map(|node| pressure[node]));
+            *rows = cells[index].rows(&v, &p, &nodes.map(|node| excess[node]), curvature);
+        });
+        for_each(momentum, |node, force| {
+            *force = excess[node].map(|e| volumes[node] * e);
+            for corner in topology.corners(node) {
+                let other = &rows[corner.cell as usize].0[corner.local as usize];
+                for k in 0..D {
+                    force[k] += other[k];
+                }
+            }
+        });
+        for_each(volume, |node, volume| {
+            let corners = topology.corners(node).iter();
+            *volume = corners.map(|c| rows[c.cell as usize].1[c.local as usize]).sum();
+        });
+    }
+
+    /// ∫p∇N_i (N).
+    pub fn pressure_forces(&self, topology: &Topology<N>, p: &[f64], forces: &mut [Vector<D>]) {
+        for_each(forces, |node, force| {
+            *force = [0.0; D];
+            for corner in topology.corners(node) {
+                let cell = corner.cell as usize;
+                let mean =
+                    topology.cells()[cell].iter().map(|&node| p[node as usize]).sum::<f64>() / N as f64;
+                let area = &self.cells[cell].areas[corner.local as usize];
+                for k in 0..D {
+                    force[k] += mean * area[k];
+                }
+            }
+        });
+    }
+}

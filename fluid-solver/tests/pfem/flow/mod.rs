@@ -1,0 +1,2 @@
+mod free_fall;
+mod rest;

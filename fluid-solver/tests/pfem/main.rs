@@ -1,0 +1,4 @@
+//! Claims about `pfem`.
+
+mod flow;
+mod support;

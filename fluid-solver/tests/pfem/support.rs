@@ -1,0 +1,109 @@
+//! Clouds on boxes, and walls around them.
+
+use fluid_solver::backend::Step;
+use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
+use fluid_solver::backend::pfem::flow::{Control, Flow, FlowSolution, Fluid, Forces};
+use fluid_solver::backend::pfem::wall::{Contacts, Grip, Plane, Shape, Wall};
+use fluid_solver::element::simplex::dot;
+use fluid_solver::mesh::generate::{BoxMesh, Jitter};
+use std::collections::HashMap;
+
+pub const WATER: Fluid = Fluid { density: 1000.0, viscosity: 1e-3, bulk_modulus: None };
+pub const G: f64 = 9.81;
+
+/// Gravity along the last axis.
+pub fn gravity<const D: usize>() -> Forces<D> {
+    let mut gravity = [0.0; D];
+    gravity[D - 1] = -G;
+    Forces { gravity }
+}
+
+pub fn flow<const D: usize, const N: usize>(fluid: Fluid, tolerance: f64) -> Flow<D, N> {
+    Flow::new(fluid, Control { tolerance, ..Control::default() })
+}
+
+/// The fluid in a box at rest, without contacts; inner nodes displaced by a share of the spacing.
+pub fn block<const D: usize, const N: usize>(size: [f64; D], cells: [usize; D], jitter: f64) -> Cloud<D, N> {
+    let jitter = (jitter > 0.0).then_some(Jitter { fraction: jitter, seed: 7 });
+    let mesh = BoxMesh { lower: [0.0; D], upper: size, cells, periodic: [false; D], jitter }
+        .generate::<N>()
+        .unwrap();
+    let nodes = mesh.node_count();
+    let cells: Vec<[u32; N]> = (0..mesh.cells().len()).map(|cell| mesh.cell_nodes(cell)).collect();
+    Cloud {
+        place: mesh.nodes().to_vec(),
+        velocity: vec![[0.0; D]; nodes],
+        pressure: vec![0.0; nodes],
+        contacts: vec![Contacts::default(); nodes],
+        drop: vec![0.0; nodes],
+        birth: (0..nodes as u32).collect(),
+        neighbours: neighbours(&cells),
+        cells,
+    }
+}
+
+pub fn neighbours<const N: usize>(cells: &[[u32; N]]) -> Vec<[u32; N]> {
+    let face = |cell: usize, opposite: usize| {
+        let mut face: Vec<u32> =
+            (0..N).filter(|&corner| corner != opposite).map(|corner| cells[cell][corner]).collect();
+        face.sort_unstable();
+        face
+    };
+    let mut sides: HashMap<Vec<u32>, Vec<u32>> = HashMap::new();
+    for cell in 0..cells.len() {
+        (0..N).for_each(|corner| sides.entry(face(cell, corner)).or_default().push(cell as u32));
+    }
+    let across = |cell: usize, corner: usize| {
+        sides[&face(cell, corner)].iter().copied().find(|&other| other != cell as u32).unwrap_or(OUTSIDE)
+    };
+    (0..cells.len()).map(|cell| std::array::from_fn(|corner| across(cell, corner))).collect()
+}
+
+/// A box open at the top.
+pub fn tank<const D: usize>(size: [f64; D], grip: Grip) -> Vec<Wall<D>> {
+    let mut walls = Vec::new();
+    for axis in 0..D {
+        let sides: &[(f64, f64)] =
+            if axis == D - 1 { &[(0.0, 1.0)] } else { &[(0.0, 1.0), (size[axis], -1.0)] };
+        for &(at, sign) in sides {
+            let (mut point, mut normal) = ([0.0; D], [0.0; D]);
+            (point[axis], normal[axis]) = (at, sign);
+            let shape = Shape::Plane(Plane { point, normal });
+            walls.push(Wall { name: format!("{axis}"), shape, grip });
+        }
+    }
+    walls
+}
+
+/// Gives the nodes the contacts that they have.
+pub fn touch<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, walls: &[Wall<D>]) {
+    for (x, contacts) in cloud.place.iter().zip(&mut cloud.contacts) {
+        for (index, wall) in walls.iter().enumerate() {
+            if wall.touch(x, 0.0).gap.abs() < 1e-9 {
+                contacts.insert(index);
+            }
+        }
+    }
+}
+
+/// Steps on the same mesh.
+pub fn advance<const D: usize, const N: usize>(
+    flow: &mut Flow<D, N>,
+    cloud: &mut Cloud<D, N>,
+    walls: &[Wall<D>],
+    forces: &Forces<D>,
+    length: f64,
+    steps: std::ops::Range<usize>,
+    mut after: impl FnMut(&Cloud<D, N>, &FlowSolution<D>),
+) {
+    for n in steps {
+        let step = Step { time: n as f64 * length, length };
+        let solution = flow.solve(cloud, walls, step, forces).unwrap();
+        solution.advance(cloud, step);
+        after(cloud, &solution);
+    }
+}
+
+pub fn largest_speed<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
+    cloud.velocity.iter().map(|v| dot(v, v).sqrt()).fold(0.0, f64::max)
+}
