@@ -1,0 +1,94 @@
+//! The cavity that a point digs, and the cells that fill it.
+
+use super::mesh::{Cell, Face, GHOST, Mark, Mesh};
+use super::ridges::{Reversed, Ridges};
+use crate::predicate::{circumsphere, face};
+
+/// A cell to be: from a face of the cavity's rim to the point, which is its last corner.
+#[derive(Clone, Copy)]
+struct Star<const N: usize> {
+    corners: [u32; N],
+    outside: Face,
+    cell: u32,
+    reversed: Reversed<N>,
+}
+
+/// Insertion of a point, with the scratch it needs.
+#[derive(Default)]
+pub struct Cavity<const N: usize> {
+    inside: Vec<u32>,
+    stars: Vec<Star<N>>,
+    ridges: Ridges<N>,
+}
+
+impl<const N: usize> Cavity<N> {
+    /// Makes ready for a mesh of so many points.
+    pub fn reset(&mut self, points: usize) {
+        self.ridges.reset(points);
+    }
+
+    /// Inserts a point that conflicts with the cell `seed`; returns a cell, no ghost, of which it is a corner.
+    #[inline(always)]
+    pub fn insert<const D: usize>(&mut self, mesh: &mut Mesh<D, N>, point: u32, seed: u32) -> u32 {
+        self.dig(mesh, point, seed);
+        self.fill(mesh);
+        self.stars.iter().rev().find(|star| !star.corners.contains(&GHOST)).map_or(seed, |star| star.cell)
+    }
+
+    /// Collects the cells that the point conflicts with; they hang together.
+    #[inline(always)]
+    fn dig<const D: usize>(&mut self, mesh: &mut Mesh<D, N>, point: u32, seed: u32) {
+        self.inside.clear();
+        self.stars.clear();
+        self.inside.push(seed);
+        mesh.marks[seed as usize] = Mark::Inside;
+        let mut next = 0;
+        while let Some(cell) = self.inside.get(next) {
+            let Cell { corners, neighbours, .. } = *mesh.cell(*cell);
+            next += 1;
+            for at in 0..N {
+                let outside = neighbours[at];
+                let other = outside.cell();
+                match mesh.marks[other as usize] {
+                    Mark::Inside => continue,
+                    Mark::Open if mesh.conflicts(other, point) => {
+                        mesh.marks[other as usize] = Mark::Inside;
+                        self.inside.push(other);
+                        continue;
+                    }
+                    _ => mesh.marks[other as usize] = Mark::Outside,
+                }
+                let corners = face(&corners, at, point);
+                self.stars.push(Star { corners, outside, cell: 0, reversed: [0; N] });
+            }
+        }
+    }
+
+    /// Fills the cavity with the cells between its rim and the point.
+    #[inline(always)]
+    fn fill<const D: usize>(&mut self, mesh: &mut Mesh<D, N>) {
+        let Self { inside, stars, ridges } = self;
+        ridges.clear();
+        for (k, star) in stars.iter_mut().enumerate() {
+            star.cell = if k < inside.len() { inside[k] } else { mesh.place() };
+            star.reversed = ridges.note(star.cell, star.corners);
+        }
+        for star in &*stars {
+            let mut neighbours = ridges.fellows(&star.reversed);
+            neighbours[D] = star.outside;
+            let sphere = circumsphere(star.corners.map(|corner| mesh.point(corner)));
+            mesh.cells[star.cell as usize] = Cell { corners: star.corners, neighbours, sphere };
+            mesh.marks[star.cell as usize] = Mark::Open;
+            let outside = star.outside.cell() as usize;
+            mesh.cells[outside].neighbours[star.outside.opposite()] = Face::new(star.cell, D);
+            mesh.marks[outside] = Mark::Open;
+        }
+        if ridges.overflow() {
+            ridges.join(mesh, stars.iter().map(|star| star.cell));
+        }
+        for cell in inside.iter().skip(stars.len()) {
+            mesh.marks[*cell as usize] = Mark::Free;
+            mesh.free.push(*cell);
+        }
+    }
+}

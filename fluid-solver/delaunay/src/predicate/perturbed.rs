@@ -1,0 +1,33 @@
+//! The in-sphere predicate that is never zero.
+
+use super::exact::{in_sphere, orientation};
+
+/// Whether `point` lies inside the circumsphere of a positive simplex, the lifted coordinate of every point being raised by
+/// an infinitesimal that is of a higher order the lower its rank is.
+///
+/// Where the determinant vanishes, its derivative with respect to the coordinate raised most, which is the orientation of
+/// the other points, tells; if that vanishes too, the next one does. That of `point` itself is the simplex's, so not zero.
+pub fn conflict<const D: usize, const N: usize>(
+    corners: [&[f64; D]; N],
+    point: &[f64; D],
+    ranks: [u32; N],
+    rank: u32,
+) -> bool {
+    let sign = in_sphere(corners, point);
+    if sign != 0.0 {
+        return sign > 0.0;
+    }
+    let mut order: [usize; N] = std::array::from_fn(|k| k);
+    order.sort_unstable_by_key(|k| std::cmp::Reverse(ranks[*k]));
+    for k in order {
+        if rank > ranks[k] {
+            break;
+        }
+        // The simplex with `point` in the place of corner k.
+        let side = orientation::<D, N>(std::array::from_fn(|i| if i == k { point } else { corners[i] }));
+        if side != 0.0 {
+            return side > 0.0;
+        }
+    }
+    false
+}
