@@ -8,6 +8,7 @@ use case_io::exit_code::ExitCode;
 use case_io::output::OutputError;
 use interface::InterfaceError;
 use interface::message::Failure;
+use surface::InputError;
 use thiserror::Error;
 
 /// An error of the fluid side: what is wrong, where, what to do.
@@ -17,6 +18,9 @@ pub enum FluidError {
     /// The case was refused.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// A file that the case names was refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
     /// The mesh was refused.
     #[error("fluid.mesh: {0}")]
     Mesh(#[from] MeshError),
@@ -119,6 +123,7 @@ impl FluidError {
     pub fn exit_code(&self) -> ExitCode {
         match self {
             FluidError::Case(error) => error.exit_code(),
+            FluidError::Input(error) => error.exit_code(),
             FluidError::Mesh(_) | FluidError::Boundary(_) => ExitCode::CaseRefused,
             FluidError::Grains(VoidFractionError::Position { .. }) => ExitCode::NonFinite,
             FluidError::Grains(_) | FluidError::OtherMesh { .. } => ExitCode::CaseRefused,

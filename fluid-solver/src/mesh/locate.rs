@@ -8,7 +8,7 @@
 use super::bins::{Bins, bounds};
 use super::{Mesh, Neighbour};
 use crate::element::closest_point;
-use crate::element::simplex::{Vector, barycentric, distance};
+use crate::element::simplex::{Vector, barycentric, difference, distance, dot};
 
 /// A cell holds a point if no barycentric coordinate is below this: the round-off of their computation.
 const INSIDE: f64 = -1e-12;

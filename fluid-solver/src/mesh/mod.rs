@@ -7,6 +7,7 @@
 
 pub mod bins;
 mod build;
+pub mod case;
 mod error;
 pub mod generate;
 pub mod gmsh;

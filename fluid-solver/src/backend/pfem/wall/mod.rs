@@ -7,7 +7,7 @@ mod patch;
 mod plane;
 mod round;
 
-pub use case::walls;
+pub use case::{refuse_gaps, walls};
 pub use contacts::Contacts;
 pub use cut::patches;
 pub use patch::Patch;

@@ -46,9 +46,12 @@ impl<const D: usize> Patch<D> {
         Self { facets, bins, extent }
     }
 
-    /// Vertices of its facets.
-    pub fn vertices(&self) -> impl Iterator<Item = &[Vector<D>; D]> {
-        self.facets.iter().map(|facet| &facet.vertices)
+    /// Vertices where the surface ends.
+    pub fn ends(&self) -> impl Iterator<Item = Vector<D>> {
+        self.facets.iter().flat_map(|facet| {
+            let ends = facet.sides.iter().enumerate().filter(|(_, side)| **side == Side::Rim);
+            ends.flat_map(move |(k, _)| (1..D).map(move |step| facet.vertices[(k + step) % D]))
+        })
     }
 
     /// How it stands to a point x: with the nearest point c of the facet whose gap n·(x − c) is the largest of those equally
