@@ -124,7 +124,7 @@ impl Exchange {
         if sample.density == 0.0 {
             return [0.0; 3];
         }
-        let volume = shape.volume(self.before[row].radius);
+        let volume = sample.wetted_fraction * shape.volume(self.before[row].radius);
         let reaction = &self.reactions[row];
         from_fn(|k| {
             let drag = reaction.exchange_coefficient * (sample.velocity[k] - reaction.target_velocity[k]);

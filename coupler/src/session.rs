@@ -4,7 +4,8 @@ use crate::error::CouplerError;
 use interface::frames::{GrainRow, HydroRow, PROTOCOL, ReactionRow};
 use interface::ledger::{FluidLedger, GrainLedger};
 use interface::message::{
-    Books, Command, Commit, Committed, Hello, Norms, Opened, Ready, Report, Solved, Surface, TooLarge, Usage, Window,
+    Books, Command, Commit, Committed, Hello, Norms, Opened, Ready, Report, Solved, Surface, TooLarge, Usage,
+    Window,
 };
 use interface::run::Who;
 use interface::transport::{CommandSender, CouplerEnds, FrameView, Stamp};

@@ -158,7 +158,8 @@ impl Simulation {
         let bound = |who, bound| Refusal { who, wanted: TooLarge { bound, reason: String::new() } };
         let mut limit = if dem <= fluid { bound(Who::Dem, dem) } else { bound(Who::Fluid, fluid) };
         loop {
-            let step = self.clock.offer(limit.wanted.bound).map_err(|wanted| self.too_small(wanted, &limit))?;
+            let step =
+                self.clock.offer(limit.wanted.bound).map_err(|wanted| self.too_small(wanted, &limit))?;
             let window =
                 Window { number: self.clock.window, time: self.clock.time, step, grains_changed: false };
             let refusal = match self.session.open(window)? {

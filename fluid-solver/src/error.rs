@@ -1,5 +1,6 @@
 //! What ends a fluid solver.
 
+use crate::backend::pfem::flow::FlowFault;
 use crate::boundary::BoundaryError;
 use crate::mesh::MeshError;
 use crate::void_fraction::VoidFractionError;
@@ -24,6 +25,12 @@ pub enum FluidError {
     /// The mesh was refused.
     #[error("fluid.mesh: {0}")]
     Mesh(#[from] MeshError),
+    /// A step of moving nodes failed.
+    #[error("fluid: {0}")]
+    Step(#[from] FlowFault),
+    /// Nodes between which there is no mesh.
+    #[error("fluid: {0}")]
+    Delaunay(#[from] delaunay::Error),
     /// The boundary conditions were refused.
     #[error(transparent)]
     Boundary(#[from] BoundaryError),
@@ -127,6 +134,8 @@ impl FluidError {
             FluidError::Mesh(_) | FluidError::Boundary(_) => ExitCode::CaseRefused,
             FluidError::Grains(VoidFractionError::Position { .. }) => ExitCode::NonFinite,
             FluidError::Grains(_) | FluidError::OtherMesh { .. } => ExitCode::CaseRefused,
+            FluidError::Step(FlowFault::NonFinite { .. }) | FluidError::Delaunay(_) => ExitCode::NonFinite,
+            FluidError::Step(_) => ExitCode::NotConverged,
             FluidError::Linear(_) => ExitCode::NotConverged,
             FluidError::Output(_) => ExitCode::Environment,
             FluidError::Interface(error) => u8::try_from(error.exit_code())

@@ -1,12 +1,16 @@
 //! Fluid: meshes, stabilised finite elements, void fraction, sampling and deposition; knows no contact.
 
 pub mod backend;
+mod bench;
 pub mod boundary;
+mod command;
 mod couple;
 pub mod deposit;
 pub mod element;
 mod error;
+pub mod grains;
 pub mod mesh;
+mod parallel;
 pub mod program;
 mod record;
 pub mod sample;

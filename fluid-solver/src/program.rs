@@ -1,6 +1,7 @@
 //! The executable `fluid-solver`.
 
 use crate::backend;
+use crate::command::Command;
 use crate::couple::FluidParticipant;
 use crate::error::FluidError;
 use crate::record::Record;
@@ -13,7 +14,6 @@ use interface::message::Failure;
 use interface::participant::serve;
 use interface::run::Who;
 use interface::transport::{FluidEnds, shared_memory};
-use std::convert::Infallible;
 
 /// Runs the command line; returns the exit code.
 pub fn main() -> std::process::ExitCode {
@@ -23,7 +23,7 @@ pub fn main() -> std::process::ExitCode {
         let abandon = Box::new(|| std::process::exit(i32::from(ExitCode::PeerDied.code())));
         take_part(part, shared_memory::join_as_fluid(part.run_id()?, part.deadlines(), abandon)?)
     };
-    interface::solver::main(Who::Fluid, participate, |own: Infallible| match own {})
+    interface::solver::main(Who::Fluid, participate, |command: Command| command.run().into())
 }
 
 /// Sets up the fluid of a case and serves the coupler over any transport.

@@ -142,12 +142,18 @@ impl Watcher for Silent {
 }
 
 /// Runs the case with a fluid that refuses windows above `longest` (s) in their iteration `refuses_in`.
-fn go(out: &Path, case: &Path, window: &str, longest: f64, refuses_in: u32) -> (Counts, Option<CouplerError>) {
+fn go(
+    out: &Path,
+    case: &Path,
+    window: &str,
+    longest: f64,
+    refuses_in: u32,
+) -> (Counts, Option<CouplerError>) {
     for folder in ["series", "frames", "restart"] {
         std::fs::create_dir_all(out.join(folder)).unwrap();
     }
     let set = vec![format!("time.window=\"{window}\"")];
-    let case = Case::load(case, &Overrides { set: set.clone(), variant: None }).unwrap();
+    let case = Case::load_run(case, &Overrides { set: set.clone(), variant: None }, None).unwrap();
     let (coupler, dem, fluid) = in_process::connect(RunId::new());
     let part = Assignment {
         run: String::new(),

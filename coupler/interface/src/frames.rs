@@ -113,6 +113,8 @@ pub struct SampleRow {
     pub vorticity: [f64; 3],
     /// Void fraction n_f \[-\].
     pub void_fraction: f64,
+    /// Share of the grain's volume that is in the fluid \[-\]: 1 below a free surface, 0 outside.
+    pub wetted_fraction: f64,
     /// Standard deviation σ of the kernel per direction \[m\].
     pub kernel_width: f64,
     /// The grain's own share of the solid fraction at its place φ_own = V Σ_a w_a²/|N_a| \[-\].

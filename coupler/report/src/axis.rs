@@ -1,5 +1,7 @@
 //! Round numbers along an axis.
 
+use crate::page::number;
+
 /// Where the ticks of an axis stand and what they say.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Axis {
@@ -34,9 +36,20 @@ impl Axis {
         Self { ticks, exponent }
     }
 
-    /// Ticks at whole powers of ten; `low` and `high` are logarithms, and so are the places.
+    /// Ticks at whole powers of ten, and within two decades at 2 and 5 times these; `low` and `high` are logarithms, and so are the
+    /// places.
     pub(crate) fn logarithmic(low: f64, high: f64, wanted: usize) -> Self {
         let (first, last) = (low.ceil() as i32, high.floor() as i32);
+        if high - low < 2.0 {
+            let factors = || [1.0, 2.0, 5.0].into_iter();
+            let ticks = (first - 1..=last)
+                .flat_map(|decade| factors().map(move |factor: f64| (decade, factor)))
+                .map(|(decade, factor)| (f64::from(decade) + factor.log10(), factor * 10f64.powi(decade)))
+                .filter(|(place, _)| (low..=high).contains(place))
+                .map(|(place, value)| (place, number(value)))
+                .collect();
+            return Self { ticks, exponent: 0 };
+        }
         let stride = ((last - first) / wanted.max(1) as i32).max(0) + 1;
         let ticks = (first..=last)
             .filter(|decade| decade % stride == 0)
@@ -102,6 +115,11 @@ mod tests {
         for (low, high) in [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (0.0, f64::INFINITY), (0.0, 5e-324)] {
             assert!(Axis::linear(low, high, 5).ticks.is_empty(), "{low} {high}");
         }
+    }
+
+    #[test]
+    fn a_narrow_range_has_ticks_between_the_powers() {
+        assert_eq!(labels(&Axis::logarithmic(-0.8, 0.4, 5)), ["0.2", "0.5", "1", "2"]);
     }
 
     #[test]

@@ -54,7 +54,7 @@ impl Interaction {
     /// `owed` \[N s\] is what the fluid gave before this window and the grain has not received; it
     /// arrives as part of the explicit force. The slip is that of `grain.velocity`; `grain.angular_velocity` is that at the opening of the window. The parts of
     /// the grain's own force that −V∇p and +V∇·τ hold are taken out of β, where they are implicit and have a reaction.
-    /// Outside the fluid (ρ = 0) nothing else acts. With the law `none` there is no viscous torque either.
+    /// Of a grain in the free surface all is the wetted fraction. Outside the fluid (ρ = 0) nothing else acts. With the law `none` there is no viscous torque either.
     ///
     /// # Errors
     /// A sample out of range, a result that is not finite, a disturbance that is too large.
@@ -71,16 +71,18 @@ impl Interaction {
         }
         check(grain, sample)?;
         let volume = self.shape.volume(grain.radius);
-        let added_mass = added_mass(self.laws.added_mass, sample.density, volume);
+        let wetted_volume = sample.wetted_fraction * volume;
+        let added_mass = added_mass(self.laws.added_mass, sample.density, wetted_volume);
 
         let inertial = added_mass_force(added_mass, sample.acceleration);
-        let pressure = pressure_gradient_force(volume, sample.pressure_gradient);
-        let viscous = viscous_stress_force(volume, sample.viscous_stress_divergence);
+        let pressure = pressure_gradient_force(wetted_volume, sample.pressure_gradient);
+        let viscous = viscous_stress_force(wetted_volume, sample.viscous_stress_divergence);
 
         let hydro = HydroRow {
             force: from_fn(|k| delivered[k] + inertial[k] + pressure[k] + viscous[k]),
             torque: self.torque(grain, sample, window),
-            exchange_coefficient: self.exchange_coefficient(grain, sample, volume)?,
+            exchange_coefficient: sample.wetted_fraction
+                * self.exchange_coefficient(grain, sample, volume)?,
             fluid_velocity: sample.velocity,
             added_mass,
         };
@@ -124,7 +126,8 @@ impl Interaction {
         if self.laws.drag == Drag::None {
             return [0.0; 3];
         }
-        let coefficient = rotational_coefficient(self.shape, 2.0 * grain.radius, sample.viscosity);
+        let whole = rotational_coefficient(self.shape, 2.0 * grain.radius, sample.viscosity);
+        let coefficient = sample.wetted_fraction * whole;
         let inertia = self.shape.moment_of_inertia(grain.mass, grain.radius);
         viscous_torque(coefficient, sample.vorticity, grain.angular_velocity, inertia, window)
     }
@@ -135,7 +138,7 @@ fn check(grain: &GrainRow, sample: &SampleRow) -> Result<(), InteractionError> {
     /// The fluid side's sums of weights may pass 1 by round-off.
     const ROUND_OFF: f64 = 1e-12;
     let finite_positive = |value: f64| value > 0.0 && value.is_finite();
-    let n_f = sample.void_fraction;
+    let (n_f, wetted) = (sample.void_fraction, sample.wetted_fraction);
     let inputs = [
         ("radius", grain.radius, finite_positive(grain.radius), "above 0, finite"),
         ("mass", grain.mass, grain.mass > 0.0, "above 0"),
@@ -147,6 +150,7 @@ fn check(grain: &GrainRow, sample: &SampleRow) -> Result<(), InteractionError> {
         ),
         ("fluid viscosity", sample.viscosity, finite_positive(sample.viscosity), "above 0, finite"),
         ("void fraction", n_f, n_f > 0.0 && n_f <= 1.0 + ROUND_OFF, "above 0, at most 1"),
+        ("wetted fraction", wetted, (0.0..=1.0).contains(&wetted), "0 to 1"),
         ("kernel width", sample.kernel_width, finite_positive(sample.kernel_width), "above 0, finite"),
         ("own share", sample.own_share, (0.0..1.0).contains(&sample.own_share), "from 0 to below 1"),
     ];

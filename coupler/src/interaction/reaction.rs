@@ -45,10 +45,10 @@ pub fn reaction(passage: &Passage<'_>, window: f64) -> ReactionRow {
 /// The same of a grain that gives way to the change of the fluid in the step, where no iteration tells it of it: of a force
 /// on it the grain keeps a [share](kept_share) and hands on the rest, so R = V(1 − share).
 pub fn compliant_reaction(passage: &Passage<'_>, shape: Shape, window: f64) -> ReactionRow {
-    let Passage { before, hydro, .. } = passage;
+    let Passage { before, sample, hydro, .. } = passage;
     let kept = kept_share(before.mass, hydro.added_mass, hydro.exchange_coefficient, window);
     ReactionRow {
-        relayed_volume: shape.volume(before.radius) * (1.0 - kept),
+        relayed_volume: sample.wetted_fraction * shape.volume(before.radius) * (1.0 - kept),
         inverse_mass: 1.0 / before.mass,
         ..reaction(passage, window)
     }

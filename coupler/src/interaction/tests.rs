@@ -13,6 +13,7 @@ const STOKES: Laws = Laws { drag: Drag::Stokes, added_mass: 0.0, self_disturbanc
 fn water() -> SampleRow {
     SampleRow {
         void_fraction: 0.99,
+        wetted_fraction: 1.0,
         kernel_width: 4e-3,
         own_share: 1e-3,
         density: 998.2,
@@ -234,6 +235,32 @@ fn laws_of_spheres_are_refused_for_discs_and_the_other_way_round() {
 }
 
 #[test]
+fn the_fluid_acts_on_a_grain_by_its_wetted_fraction() {
+    let laws = Laws { drag: Drag::SchillerNaumann, added_mass: 0.5, self_disturbance: false };
+    let interaction = Interaction::new(laws, Shape::Sphere).unwrap();
+    let spinning = GrainRow { angular_velocity: [0.0, 0.0, 30.0], ..glass(1e-3) };
+    let wet = SampleRow {
+        velocity: [0.1, 0.0, 0.0],
+        pressure_gradient: [0.0, 0.0, -9.81 * 998.2],
+        viscous_stress_divergence: [3.0, 0.0, 0.0],
+        acceleration: [0.0, 2.0, 0.0],
+        ..water()
+    };
+    let acted = |wetted_fraction: f64| {
+        let sample = SampleRow { wetted_fraction, ..wet };
+        interaction.evaluate(&spinning, &sample, [0.0; 3], 1e-6).unwrap()
+    };
+    let (whole, part) = (acted(1.0), acted(0.3));
+    assert!((0..3).all(|k| whole.force[k] != 0.0) && whole.torque[2] != 0.0);
+    let scaled = |part: f64, whole: f64| (part - 0.3 * whole).abs() <= 1e-14 * whole.abs();
+    assert!((0..3).all(|k| scaled(part.force[k], whole.force[k])), "{part:?} {whole:?}");
+    assert!(scaled(part.exchange_coefficient, whole.exchange_coefficient));
+    assert!(scaled(part.added_mass, whole.added_mass));
+    // The implicit torque of a short window is the rate times the window, less the square of it.
+    assert!((part.torque[2] / whole.torque[2] - 0.3).abs() < 1e-5);
+}
+
+#[test]
 fn what_no_law_is_made_for_is_refused_by_name() {
     let interaction = Interaction::new(STOKES, Shape::Sphere).unwrap();
     let refused =
@@ -245,6 +272,7 @@ fn what_no_law_is_made_for_is_refused_by_name() {
     assert_eq!(refused(glass(1e-3), SampleRow { void_fraction: 1.01, ..water() }), "void fraction");
     assert_eq!(refused(glass(1e-3), SampleRow { viscosity: 0.0, ..water() }), "fluid viscosity");
     assert_eq!(refused(glass(1e-3), SampleRow { density: f64::NAN, ..water() }), "fluid density");
+    assert_eq!(refused(glass(1e-3), SampleRow { wetted_fraction: 1.1, ..water() }), "wetted fraction");
     assert_eq!(refused(glass(1e-3), SampleRow { kernel_width: 0.0, ..water() }), "kernel width");
     assert_eq!(refused(glass(1e-3), SampleRow { own_share: f64::NAN, ..water() }), "own share");
     assert_eq!(refused(glass(0.0), water()), "radius");

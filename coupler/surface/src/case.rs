@@ -3,10 +3,10 @@
 use case_io::document::{self, Case, MotionTable, SurfaceFile, unit_vector};
 
 use crate::error::InputError;
-use crate::vector::{Spin, Vector};
 use crate::facet::Facet;
 use crate::motion::{Motion, Table, TableRow};
 use crate::triangles::{Format, read_triangles};
+use crate::vector::{Spin, Vector};
 
 /// The sum of the motions stated at a key.
 ///

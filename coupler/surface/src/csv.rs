@@ -47,8 +47,8 @@ impl Csv {
         required: &[&str],
         take: impl FnOnce(&Self) -> Result<T, Flaw>,
     ) -> Result<T, InputError> {
-        let text =
-            fs::read_to_string(path).map_err(|source| InputError::Unreadable { path: path.into(), source })?;
+        let text = fs::read_to_string(path)
+            .map_err(|source| InputError::Unreadable { path: path.into(), source })?;
         let taken = Self::parse(&text, allowed, required).and_then(|table| take(&table));
         taken.map_err(|flaw| InputError::BadFile { path: path.into(), flaw })
     }

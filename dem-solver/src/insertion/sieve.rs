@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::sizes::Class;
-use surface::csv::Csv;
-use surface::InputError;
 use surface::Flaw;
+use surface::InputError;
+use surface::csv::Csv;
 
 const COLUMNS: [&str; 2] = ["diameter[m]", "passing[-]"];
 

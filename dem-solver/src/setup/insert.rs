@@ -3,10 +3,10 @@
 use case_io::document::{self, Case, Insertion, Placement};
 
 use super::clumps::start;
+use super::refused_at;
 use super::region::region;
 use super::sizes::sizes;
 use super::surroundings::material_index;
-use super::refused_at;
 use crate::error::DemError;
 use crate::insertion::{
     Amount, Ball, Batch, Distribution, Feed, Flow, Lattice, LatticeKind, Random, RandomFill, Sizes,
@@ -157,8 +157,8 @@ impl<const D: usize> Place<'_, D> {
         world: &mut World<D>,
     ) -> Result<(), DemError> {
         let key = format!("insertion[{}].file.path", self.index);
-        let grains = read_grains(&self.case.folder.join(&file.path))
-            .map_err(|error| error.at_key(self.case, &key))?;
+        let grains =
+            read_grains(&self.case.folder.join(&file.path)).map_err(|error| error.at_key(self.case, &key))?;
         for stated in grains {
             let own = !self.insertion.is_sized();
             let radius = if own { stated.radius } else { Some(batch.sizes.draw(random)) };

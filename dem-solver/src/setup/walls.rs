@@ -3,13 +3,13 @@
 use case_io::document::{self, Case, WallShape, unit_vector};
 use case_io::error::CaseError;
 
-use super::surroundings::material_index;
 use super::FluidMesh;
+use super::surroundings::material_index;
 use crate::error::DemError;
 use crate::vector::{Vector, restrict};
+use crate::wall::{Cylinder, Disc, Facet, Plane, Servo, Shape, Side, Sphere, Tube, Wall, Walls};
 use surface::case::{motion, triangles as read_triangles};
 use surface::triangles::Format;
-use crate::wall::{Cylinder, Disc, Facet, Plane, Servo, Shape, Side, Sphere, Tube, Wall, Walls};
 
 /// The walls of a case.
 pub fn walls<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Result<Walls<D>, DemError> {

@@ -1,10 +1,10 @@
 //! Where moving walls are at one instant.
 
 use super::Walls;
-use surface::motion::{Pose, Travel};
 use super::servo::Slide;
 use super::shape::Piece;
 use crate::vector::Vector;
+use surface::motion::{Pose, Travel};
 
 /// The poses of the walls at one instant; a wall without one is where it was at t = 0.
 #[derive(Clone, Debug, Default, PartialEq)]

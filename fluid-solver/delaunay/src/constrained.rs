@@ -93,7 +93,8 @@ impl Constrained {
     /// Triangles around a point with its corner in each, counter-clockwise from the hull if it is on it.
     fn fan(&self, point: u32) -> impl Iterator<Item = (usize, usize)> + '_ {
         let start = self.incident[point as usize];
-        let corner = move |c: usize| self.triangulation.cells[c].iter().position(|&p| p == point).unwrap_or(0);
+        let corner =
+            move |c: usize| self.triangulation.cells[c].iter().position(|&p| p == point).unwrap_or(0);
         let mut first = start;
         if start != HULL {
             loop {
@@ -215,7 +216,10 @@ impl Constrained {
 
     /// The corner of triangle `m` that is opposite to triangle `c`.
     fn back(&self, c: usize, m: usize) -> usize {
-        self.triangulation.neighbours[m].iter().position(|&n| n as usize == c).expect("neighbours know each other")
+        self.triangulation.neighbours[m]
+            .iter()
+            .position(|&n| n as usize == c)
+            .expect("neighbours know each other")
     }
 
     /// Turns the diagonal of the two triangles that share the face opposite to corner `i` of `c`.
@@ -281,7 +285,7 @@ mod tests {
     }
 
     fn check(points: &[[f64; 2]], made: &Constrained, total: f64) {
-        let Triangulation { cells, neighbours } = &made.triangulation;
+        let Triangulation { cells, neighbours, .. } = &made.triangulation;
         assert!(cells.iter().all(|cell| area(points, cell) > 0.0));
         assert!((cells.iter().map(|cell| area(points, cell)).sum::<f64>() - total).abs() < 1e-12);
         for (c, around) in neighbours.iter().enumerate() {

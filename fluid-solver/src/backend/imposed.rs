@@ -138,6 +138,7 @@ impl Imposed {
                 gradient[1][0] - gradient[0][1],
             ],
             void_fraction: 1.0,
+            wetted_fraction: 1.0,
             kernel_width: 2.0 * grain.radius,
             own_share: 0.0,
             density: self.density,

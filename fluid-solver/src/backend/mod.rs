@@ -124,6 +124,21 @@ pub trait FluidBackend: Send {
     /// The fluid at a point; none outside.
     fn at(&self, time: f64, point: [f64; 3]) -> Option<PointValue>;
 
+    /// Height, along the last axis, of the surface above or below a point \[m\]; none where there is no fluid, or no free surface.
+    fn elevation(&self, _point: [f64; 3]) -> Option<f64> {
+        None
+    }
+
+    /// Whether it has a free surface.
+    fn has_surface(&self) -> bool {
+        false
+    }
+
+    /// How often something happened, for the summary.
+    fn counters(&self) -> Vec<(String, u64)> {
+        Vec::new()
+    }
+
     /// Fluid volume, momentum, energies and extremes: name with unit, value.
     fn statistics(&self, time: f64) -> Vec<(&'static str, f64)>;
 
@@ -160,6 +175,7 @@ pub fn of(case: &Case, two_way: bool) -> Result<Box<dyn FluidBackend>, FluidErro
             let response = if two_way { eulerian::Response::TwoWay } else { eulerian::Response::OneWay };
             eulerian::of(case, fluid, response)
         }
+        Some((fluid, Backend::Pfem)) => pfem::of(case, fluid),
         None => Err(case.error("fluid", "it is missing", "a table", "add [fluid]").into()),
     }
 }

@@ -11,12 +11,12 @@ impl<const D: usize> Condition<D> {
         match boundary.kind {
             BoundaryKind::NoSlip => Self::NoSlip,
             BoundaryKind::Slip => Self::Slip,
-            BoundaryKind::MovingWall => Self::MovingWall(field(boundary.velocity.as_ref())),
+            BoundaryKind::MovingWall => Self::MovingWall(velocity_field(boundary.velocity.as_ref())),
             BoundaryKind::Inlet => Self::Inlet(match boundary.speed {
                 Some(speed) => {
                     Inflow::Speed { mean: speed.si(), profile: boundary.profile.unwrap_or_default() }
                 }
-                None => Inflow::Velocity(field(boundary.velocity.as_ref())),
+                None => Inflow::Velocity(velocity_field(boundary.velocity.as_ref())),
             }),
             // Loading has refused free surfaces where the mesh stays.
             BoundaryKind::FreeSurface | BoundaryKind::Outlet => {
@@ -26,7 +26,8 @@ impl<const D: usize> Condition<D> {
     }
 }
 
-fn field<const D: usize>(velocity: Option<&BoundaryVelocity>) -> VelocityField<D> {
+/// The field that a velocity states; none is zero.
+pub fn velocity_field<const D: usize>(velocity: Option<&BoundaryVelocity>) -> VelocityField<D> {
     match velocity {
         None => Arc::new(|_, _| [0.0; D]),
         Some(BoundaryVelocity::Constant(velocity)) => {

@@ -7,6 +7,7 @@ mod error;
 mod normal;
 mod profile;
 
+pub use case::velocity_field;
 pub use condition::{Condition, Inflow, VelocityField};
 pub use constraint::Constraints;
 pub use error::BoundaryError;

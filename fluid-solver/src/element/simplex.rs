@@ -23,6 +23,11 @@ pub fn distance<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> f64 {
     dot(&d, &d).sqrt()
 }
 
+/// Three components, z = 0 in 2D.
+pub fn in_space<const D: usize>(x: &Vector<D>) -> [f64; 3] {
+    std::array::from_fn(|k| if k < D { x[k] } else { 0.0 })
+}
+
 /// Signed volume (area in the plane) and gradients (1/m) of the shape functions of a simplex.
 ///
 /// The volume is positive for counter-clockwise triangles and right-handed tetrahedra; for a volume of zero the

@@ -70,7 +70,7 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
     }
 
     /// Fills in `|N_a| = Σ_e V_e / N` and `h_a = Σ_e V_e h_e / Σ_e V_e`, `h_e = (D! V_e)^{1/D}`.
-    fn lump(&mut self) {
+    pub(super) fn lump(&mut self) {
         let factorial = if D == 2 { 2.0 } else { 6.0 };
         for (cell, &volume) in self.volumes.iter().enumerate() {
             let share = volume / N as f64;
@@ -82,7 +82,7 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
             }
         }
         for (size, measure) in self.size.iter_mut().zip(&self.measure) {
-            *size /= measure;
+            *size = if *measure == 0.0 { f64::INFINITY } else { *size / measure };
         }
     }
 }

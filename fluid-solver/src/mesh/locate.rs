@@ -72,19 +72,50 @@ impl<const D: usize> Locator<D> {
             return Location::NotFinite;
         }
         let x = mesh.periodicity().wrap(x);
+        match self.host(mesh, &x, remembered) {
+            Some((cell, coordinates)) => Location::Inside { cell, coordinates },
+            None => Location::Outside { nearest_face: self.nearest_face(mesh, &x) },
+        }
+    }
+
+    /// The cell that holds `x`, a finite point in the mesh's own period, with the barycentric coordinates there.
+    pub fn host<const N: usize>(
+        &self,
+        mesh: &Mesh<D, N>,
+        x: &Vector<D>,
+        remembered: Option<u32>,
+    ) -> Option<(u32, [f64; N])> {
         let walked = remembered
             .filter(|&cell| (cell as usize) < mesh.cells().len())
-            .and_then(|cell| walk(mesh, &x, cell));
-        walked
-            .or_else(|| self.search(mesh, &x))
-            .unwrap_or_else(|| Location::Outside { nearest_face: self.nearest_face(mesh, &x) })
+            .and_then(|cell| walk(mesh, x, cell));
+        walked.or_else(|| self.search(mesh, x))
+    }
+
+    /// Calls `visit(face, distance, closest point)` for every boundary face within `reach` of `x`, some of them several times.
+    pub fn for_each_face_within<const N: usize>(
+        &self,
+        mesh: &Mesh<D, N>,
+        x: &Vector<D>,
+        reach: f64,
+        mut visit: impl FnMut(u32, f64, Vector<D>),
+    ) {
+        let corner = |sign: f64| self.faces.index(&x.map(|c| c + sign * reach));
+        super::bins::for_each_index(&corner(-1.0), &corner(1.0), |index| {
+            for &face in self.faces.bin(index) {
+                let place = closest_point::on_facet(&mesh.face_vertices(&mesh.boundary()[face as usize]), x);
+                let distance = distance(x, &place);
+                if distance <= reach {
+                    visit(face, distance, place);
+                }
+            }
+        });
     }
 
     /// The lowest cell that holds `x`.
-    fn search<const N: usize>(&self, mesh: &Mesh<D, N>, x: &Vector<D>) -> Option<Location<N>> {
+    fn search<const N: usize>(&self, mesh: &Mesh<D, N>, x: &Vector<D>) -> Option<(u32, [f64; N])> {
         self.cells.bin(&self.cells.index(x)).iter().find_map(|&cell| {
             let coordinates = coordinates_in(mesh, cell, x);
-            coordinates.iter().all(|&c| c >= INSIDE).then_some(Location::Inside { cell, coordinates })
+            coordinates.iter().all(|&c| c >= INSIDE).then_some((cell, coordinates))
         })
     }
 
@@ -103,13 +134,13 @@ fn walk<const D: usize, const N: usize>(
     mesh: &Mesh<D, N>,
     x: &Vector<D>,
     mut cell: u32,
-) -> Option<Location<N>> {
+) -> Option<(u32, [f64; N])> {
     for _ in 0..LONGEST_WALK {
         let coordinates = coordinates_in(mesh, cell, x);
         let lowest =
             (1..N).fold(0, |lowest, i| if coordinates[i] < coordinates[lowest] { i } else { lowest });
         if coordinates[lowest] > CLEAR_OF_FACES {
-            return Some(Location::Inside { cell, coordinates });
+            return Some((cell, coordinates));
         }
         match mesh.neighbours(cell as usize)[lowest] {
             Neighbour::Cell(next) if coordinates[lowest] < -CLEAR_OF_FACES => cell = next,

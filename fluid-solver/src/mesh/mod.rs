@@ -12,6 +12,7 @@ mod error;
 pub mod generate;
 pub mod gmsh;
 pub mod locate;
+mod particles;
 mod periodicity;
 mod scale;
 mod surface;
@@ -19,6 +20,7 @@ mod topology;
 
 pub use build::{MeshParts, PeriodicPairs};
 pub use error::{MeshError, Place};
+pub use particles::Linked;
 pub use periodicity::{Period, Periodicity};
 
 use crate::element::simplex::Vector;
@@ -47,7 +49,7 @@ pub struct BoundaryFace<const D: usize> {
     pub group: u32,
 }
 
-/// A checked, connected mesh with positive cells and a fully named boundary; `N = D + 1`.
+/// A mesh with positive cells and a fully named boundary, checked and connected unless it is of particles; `N = D + 1`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh<const D: usize, const N: usize> {
     points: Vec<Vector<D>>,
@@ -120,7 +122,8 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         &self.measure
     }
 
-    /// Mesh size at the nodes (m): the mean of `(D! V_e)^{1/D}` over the cells around, weighted by volume.
+    /// Mesh size at the nodes (m): the mean of `(D! V_e)^{1/D}` over the cells around, weighted by volume; infinite
+    /// for a node of no cell.
     pub fn size(&self) -> &[f64] {
         &self.size
     }

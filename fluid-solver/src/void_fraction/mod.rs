@@ -7,10 +7,12 @@ mod balance;
 mod error;
 mod node_kernel;
 mod node_search;
+mod surface_kernel;
 mod weights;
 
 pub use error::VoidFractionError;
 pub use node_kernel::{Grain, NodeKernel};
+pub use surface_kernel::SurfaceKernel;
 pub use weights::Weights;
 
 use crate::deposit::Deposit;
@@ -36,7 +38,8 @@ pub fn void_fraction(
     assert_eq!(void_fraction.len(), measure.len());
     deposit.apply(weights, volumes.as_chunks().0, void_fraction.as_chunks_mut().0);
     for (value, measure) in void_fraction.iter_mut().zip(measure) {
-        *value = 1.0 - *value / measure;
+        // A node of no cell has no measure and no grain.
+        *value = if *measure == 0.0 { 1.0 } else { 1.0 - *value / measure };
     }
     let below =
         void_fraction.iter().copied().enumerate().filter(|(_, value)| value.is_nan() || *value < floor);

@@ -1,9 +1,10 @@
 //! Boxes of fluid, fields and norms.
 
 use fluid_solver::backend::Step;
-use fluid_solver::backend::eulerian::{Exchange, Flow, Properties};
+use fluid_solver::backend::eulerian::{Flow, Properties};
 use fluid_solver::boundary::{Boundaries, Condition, VelocityField};
 use fluid_solver::element::quadrature::degree_5;
+use fluid_solver::grains::Exchange;
 use fluid_solver::mesh::Mesh;
 use fluid_solver::mesh::generate::{BoxMesh, Jitter};
 

@@ -3,11 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::boundary::Boundary;
+use super::boundary::{Boundary, BoundaryVelocity};
 use super::mesh::Mesh;
 use super::pfem::{Body, Pfem};
 use super::quantity::{Density, Viscosity};
-use super::vector::{AccelerationVector, VelocityVector};
+use super::vector::AccelerationVector;
 use crate::expression::Expression;
 
 /// `[fluid]`
@@ -20,8 +20,8 @@ pub struct Fluid {
     pub density: Density,
     /// Dynamic viscosity.
     pub viscosity: Viscosity,
-    /// Initial velocity; default at rest.
-    pub velocity: Option<VelocityVector>,
+    /// Initial velocity, of t = 0; default at rest.
+    pub velocity: Option<BoundaryVelocity>,
     /// Extra acceleration besides gravity; default none.
     pub body_force: Option<AccelerationVector>,
     /// The flow itself (`imposed` only).

@@ -343,7 +343,7 @@ mod tests {
         for line in [
             "contacts                        on   normal-law = \"hooke\"",
             "friction                        on   pair with sliding-friction: glass-glass, steel-glass",
-            "triangle walls                  off  no wall with stl, obj or mesh",
+            "triangle walls                  off  no wall with polyline, stl, obj or mesh",
             "periodic wrap                   on   periodic axis: x",
             "fluid                           off  there is no [fluid]",
             "drag                            off  there is no [coupling]",

@@ -1,5 +1,6 @@
 //! Reports as one HTML page without script and without anything external.
 
+mod bench;
 mod checks;
 mod head;
 mod ledger;
@@ -11,6 +12,7 @@ mod text;
 
 use crate::ReportError;
 use crate::run::Run;
+pub(crate) use bench::html as bench_html;
 pub(crate) use pictures::Figure;
 pub(crate) use sweep::html as sweep_html;
 use text::escape;

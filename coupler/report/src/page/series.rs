@@ -51,7 +51,8 @@ fn plots(name: &str, series: &Series, scale: fn(&[&Column]) -> Scale) -> Result<
     Ok(format!("<div class=\"plots\">\n{}</div>\n", figures.concat()))
 }
 
-fn figure(plot: &Plot) -> Result<String, ReportError> {
+/// A plot with its legend.
+pub(super) fn figure(plot: &Plot) -> Result<String, ReportError> {
     let legend: String = plot
         .curves
         .iter()

@@ -30,7 +30,10 @@ fn draw(plot: &Plot, text: &mut String) -> Result<(), Box<dyn std::error::Error>
     let points = || plot.curves.iter().flat_map(|curve| curve.points());
     let (left, right) = widened(points().map(|point| point.0), 0.0);
     let (low, high) = widened(points().map(|point| point.1), 0.06);
-    let across = Axis::linear(left, right, 6);
+    let across = match plot.across_scale {
+        Scale::Linear => Axis::linear(left, right, 6),
+        Scale::Logarithmic => Axis::logarithmic(left, right, 6),
+    };
     let upright = match plot.scale {
         Scale::Linear if points().all(|point| point.1.fract() == 0.0) => {
             // Whole numbers get whole ticks.
@@ -40,7 +43,7 @@ fn draw(plot: &Plot, text: &mut String) -> Result<(), Box<dyn std::error::Error>
         Scale::Logarithmic => Axis::logarithmic(low, high, 6),
     };
 
-    let across_title = format!("{} {}", plot.time.name, bracket(&plot.time.unit, across.exponent));
+    let across_title = format!("{} {}", plot.across.name, bracket(&plot.across.unit, across.exponent));
     let upright_title = bracket(&plot.unit, upright.exponent);
 
     let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
@@ -116,7 +119,8 @@ mod tests {
         let places: Vec<f64> = y.iter().map(|&value| scale.place(value)).collect();
         Plot {
             title: "grains".to_owned(),
-            time: Title { name: "t".to_owned(), unit: "s".to_owned() },
+            across: Title { name: "t".to_owned(), unit: "s".to_owned() },
+            across_scale: Scale::Linear,
             unit: "m/s".to_owned(),
             scale,
             curves: vec![Curve::new("vz", x, &places)],

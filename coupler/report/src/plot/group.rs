@@ -4,11 +4,12 @@ use case_io::output::series::{Column, Series, Title};
 
 use super::{Curve, PALETTE, Scale};
 
-/// Curves of one unit over time.
+/// Curves of one unit over time, or over something else.
 #[derive(Debug)]
 pub(crate) struct Plot {
     pub(crate) title: String,
-    pub(crate) time: Title,
+    pub(crate) across: Title,
+    pub(crate) across_scale: Scale,
     pub(crate) unit: String,
     pub(crate) scale: Scale,
     pub(crate) curves: Vec<Curve>,
@@ -44,7 +45,8 @@ pub(crate) fn plots_of(title: &str, series: &Series, choose_scale: fn(&[&Column]
             };
             Plot {
                 title: title.to_owned(),
-                time: time.title.clone(),
+                across: time.title.clone(),
+                across_scale: Scale::Linear,
                 unit: group[0].title.unit.clone(),
                 scale,
                 curves: group.iter().map(curve).collect(),

@@ -45,7 +45,14 @@ pub fn summary() -> Summary {
             ("output".to_owned(), seconds(2.4)),
         ]
         .into(),
-        counts: Counts { windows: 500, refused: 2, iterations: 1430, substeps: 25_000, grains: 2000, nodes: 6171 },
+        counts: Counts {
+            windows: 500,
+            refused: 2,
+            iterations: 1430,
+            substeps: 25_000,
+            grains: 2000,
+            nodes: 6171,
+        },
         peak_memory: 312 << 20,
         taken: [("energy-taken-by-sleep[J]".to_owned(), 2.5e-9)].into(),
         thrift: [("neighbour-lists-reused".to_owned(), 23_118), ("single-iteration-windows".to_owned(), 87)]

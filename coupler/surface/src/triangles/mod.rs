@@ -7,8 +7,8 @@ mod stl;
 use std::fs;
 use std::path::Path;
 
-use crate::facet::Facet;
 use crate::error::InputError;
+use crate::facet::Facet;
 use crate::flaw::Flaw;
 use crate::vector::Vector;
 

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use crate::facet::Facet;
 use crate::flaw::Flaw;
 use crate::vector::Vector;
-use crate::facet::Facet;
 
 /// Vertices this near to each other, relative to the largest coordinate, are one: four units in the last place of the
 /// single precision of STL.

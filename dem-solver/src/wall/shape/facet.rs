@@ -1,8 +1,8 @@
 //! A triangle, or in 2D a segment.
 
 use super::{Nearest, Piece};
-use surface::Facet;
 use crate::vector::{Spin, Vector};
+use surface::Facet;
 use surface::motion::Travel;
 
 impl<const D: usize> Piece<D> for Facet<D> {

@@ -8,15 +8,15 @@ mod side;
 mod sphere;
 mod tube;
 
-use surface::motion::Travel;
 use crate::vector::{Spin, Vector};
+use surface::motion::Travel;
 
 pub use cylinder::Cylinder;
 pub use disc::Disc;
-pub use surface::Facet;
 pub use plane::Plane;
 pub use side::Side;
 pub use sphere::Sphere;
+pub use surface::Facet;
 pub use tube::Tube;
 
 /// The point of a surface that is nearest to a centre.

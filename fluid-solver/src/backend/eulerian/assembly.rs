@@ -1,14 +1,15 @@
 //! Fills the matrices of a step.
 
 use super::cell_fields::{CellFields, mean};
-use super::compliance::{CompliantCell, Given};
-use super::incidence::{Corner, Incidence, ROWS, for_each_node};
+use super::incidence::{Corner, Incidence, ROWS};
 use super::matrices::{Matrices, Right, RowEntries};
 use super::outlet::Outlets;
 use super::state::State;
 use super::time_rule::TimeRule;
 use crate::element::simplex::{Vector, dot};
+use crate::grains::{CompliantCell, Given};
 use crate::mesh::Mesh;
+use crate::parallel::for_each_node;
 use crate::weak_form::{MomentumRow, PorousCell, PressureCell, share};
 use rayon::prelude::*;
 

@@ -1,13 +1,11 @@
 //! The flow as a backend of the coupling.
 
-use super::exchange::Exchange;
-use super::flow::{Flow, in_space};
-use super::grains::GrainsOnMesh;
-use super::recovery::{Recovered, gradient_changes};
+use super::flow::{Flow, Properties};
 use super::state::State;
 use crate::backend::{Attempt, FluidBackend, PointValue, Solution, Step};
-use crate::element::simplex::Vector;
+use crate::element::simplex::{Vector, in_space};
 use crate::error::FluidError;
+use crate::grains::{Exchange, FixedMesh, GrainsOnMesh, Medium, Recovered, gradient_changes};
 use crate::mesh::locate::Location;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use interface::frames::{GrainRow, ReactionRow, SampleRow};
@@ -31,6 +29,7 @@ pub enum Response {
 pub struct Eulerian<const D: usize, const N: usize> {
     pub(super) flow: Flow<D, N>,
     pub(super) grains: GrainsOnMesh<D>,
+    placing: FixedMesh<D>,
     response: Response,
     /// Depth of the slab in 2D (m).
     depth: f64,
@@ -46,7 +45,8 @@ impl<const D: usize, const N: usize> Eulerian<D, N> {
     /// A flow that grains may be placed in; in 2D a slab of `depth` (m).
     pub fn new(flow: Flow<D, N>, response: Response, depth: f64) -> Self {
         Self {
-            grains: GrainsOnMesh::new(flow.mesh()),
+            grains: GrainsOnMesh::new(flow.mesh().node_count()),
+            placing: FixedMesh::new(flow.mesh()),
             saved: flow.state().clone(),
             flow,
             response,
@@ -136,8 +136,8 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
     }
 
     fn populate(&mut self, _time: f64, grains: &[GrainRow]) -> Result<(), FluidError> {
-        self.grains.admit(self.flow.mesh(), grains)?;
-        self.grains.place(self.flow.mesh(), grains)?;
+        self.placing.admit(self.flow.mesh(), grains)?;
+        self.grains.place(self.flow.mesh(), grains, &mut self.placing)?;
         if self.response == Response::TwoWay {
             self.flow.state_mut().reset_void_fraction(&self.grains.void_fraction);
         }
@@ -161,7 +161,7 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
     }
 
     fn project(&mut self, _step: Step, grains: &[GrainRow]) -> Result<(), FluidError> {
-        self.grains.place(self.flow.mesh(), grains)?;
+        self.grains.place(self.flow.mesh(), grains, &mut self.placing)?;
         if self.response == Response::TwoWay {
             self.flow.state_mut().void_fraction.copy_from_slice(&self.grains.void_fraction);
         }
@@ -190,12 +190,13 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
 
     fn prepare_samples(&mut self) {
         if self.grains.count() > 0 {
-            self.grains.sample(&self.flow, &self.recovered);
+            self.grains.sample(&self.flow.state().velocity, &self.recovered);
         }
     }
 
     fn sample(&self, row: usize) -> SampleRow {
-        self.grains.row(row, &self.flow, self.depth)
+        let Properties { density, viscosity, .. } = *self.flow.properties();
+        self.grains.row(row, self.flow.mesh().measure(), Medium { density, viscosity }, self.depth)
     }
 
     fn commit(&mut self, step: Step) -> Result<(), FluidError> {
@@ -206,7 +207,7 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
     fn at(&self, _time: f64, point: [f64; 3]) -> Option<PointValue> {
         let (mesh, state) = (self.flow.mesh(), self.flow.state());
         let x: Vector<D> = std::array::from_fn(|k| point[k]);
-        let Location::Inside { cell, coordinates } = self.grains.locator().locate(mesh, &x, None) else {
+        let Location::Inside { cell, coordinates } = self.placing.locator().locate(mesh, &x, None) else {
             return None;
         };
         let nodes = mesh.cell_nodes(cell as usize);
@@ -230,13 +231,13 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
 
     fn save_checkpoint<'a>(&'a self, writer: CheckpointWriter<'a>) -> CheckpointWriter<'a> {
         let writer = self.flow.save_checkpoint(writer);
-        writer.array("diameters", self.grains.diameters().map_or(&[], |range| range.as_slice()))
+        writer.array("diameters", self.placing.diameters().map_or(&[], |range| range.as_slice()))
     }
 
     fn load_checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), FluidError> {
         self.flow.load_checkpoint(checkpoint)?;
         let range: Vec<f64> = checkpoint.array("diameters")?;
-        self.grains.prepare(self.flow.mesh(), range.first_chunk().copied())?;
+        self.placing.prepare(self.flow.mesh(), range.first_chunk().copied())?;
         self.save();
         Ok(())
     }

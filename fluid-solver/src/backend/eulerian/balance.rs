@@ -1,9 +1,9 @@
 //! The last correction of a step: the sum of the residual.
 
-use super::exchange::Part;
-use super::incidence::for_each_node;
 use super::krylov::{StepOperator, split_mut};
+use super::matrices::Part;
 use crate::element::simplex::Vector;
+use crate::parallel::for_each_node;
 use linear::dense::{self, Block};
 
 /// Adds a constant velocity to the free unknowns so that the momentum residual of the free rows sums to zero, and leaves

@@ -3,7 +3,7 @@
 use super::backend::{Eulerian, Response};
 use super::flow::{Flow, Properties};
 use crate::backend::FluidBackend;
-use crate::boundary::{Boundaries, Condition};
+use crate::boundary::{Boundaries, Condition, velocity_field};
 use crate::element::simplex::Vector;
 use crate::error::FluidError;
 use crate::mesh::{self, Mesh};
@@ -47,8 +47,8 @@ fn backend<const D: usize, const N: usize>(
     }
     let boundaries = Boundaries::new(&mesh, conditions)?;
     let mut flow = Flow::new(mesh, &boundaries, properties)?;
-    let velocity: Vector<D> = fluid.velocity.as_ref().map_or([0.0; D], |velocity| velocity.to_array());
-    flow.set_velocity(|_| velocity);
+    let velocity = velocity_field(fluid.velocity.as_ref());
+    flow.set_velocity(|x| velocity(x, 0.0));
     if let Some(force) = &fluid.body_force {
         let force: Vector<D> = force.to_array();
         flow.set_body_force(|_| force);

@@ -1,8 +1,8 @@
 //! Which node a step failed at.
 
-use super::flow::{Flow, in_space};
+use super::flow::Flow;
 use crate::backend::Step;
-use crate::element::simplex::Vector;
+use crate::element::simplex::{Vector, in_space};
 use crate::error::FluidError;
 
 impl<const D: usize, const N: usize> Flow<D, N> {

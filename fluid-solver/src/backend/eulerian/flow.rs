@@ -1,6 +1,6 @@
 //! The flow: a mesh, what holds on its boundary, and the fields.
 
-use super::incidence::Incidence;
+use super::incidence::{Corner, Incidence};
 use super::outlet::Outlets;
 use super::state::State;
 use super::step::Workspace;
@@ -8,6 +8,7 @@ use crate::backend::Step;
 use crate::boundary::{Boundaries, Constraints};
 use crate::element::simplex::{Vector, difference, dot};
 use crate::error::FluidError;
+use crate::grains::{Felt, Rate, Recovered, recover};
 use crate::mesh::Mesh;
 use linear::Pattern;
 use std::sync::Arc;
@@ -122,15 +123,27 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         }
     }
 
+    /// What grains feel of the present iterate.
+    pub(super) fn felt(&self) -> Felt<'_, D> {
+        Felt {
+            velocity: &self.state.velocity,
+            pressure: &self.state.pressure,
+            pressure_before: &self.work.felt_pressure,
+            rate: Rate::Local(&self.state.acceleration),
+            viscosity: self.properties.viscosity,
+        }
+    }
+
+    /// Recovers it at the nodes.
+    pub fn recover(&self, recovered: &mut Vec<Recovered<D>>) {
+        let corner = |corner: &Corner<N>| (corner.cell as usize, corner.local as usize);
+        recover(&self.mesh, |node| self.incidence.of(node).iter().map(corner), self.felt(), recovered);
+    }
+
     /// The present step becomes history.
     pub fn commit(&mut self, step: Step) {
         self.state.commit(step.length);
     }
-}
-
-/// Three components, z = 0 in 2D.
-pub fn in_space<const D: usize>(x: &Vector<D>) -> [f64; 3] {
-    std::array::from_fn(|k| if k < D { x[k] } else { 0.0 })
 }
 
 /// The node against the weight most.

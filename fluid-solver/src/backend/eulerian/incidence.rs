@@ -92,12 +92,3 @@ pub fn for_each_row<E: Entries, R: Send>(
         }
     });
 }
-
-/// Calls `work(row, value of the row)` for every row of a vector.
-pub fn for_each_node<R: Send>(values: &mut [R], work: impl Fn(usize, &mut R) + Sync) {
-    values.par_chunks_mut(ROWS).enumerate().for_each(|(index, values)| {
-        for (row, value) in (index * ROWS..).zip(values) {
-            work(row, value);
-        }
-    });
-}

@@ -1,7 +1,6 @@
 //! The system of a step as the Krylov method sees it: x = (increments of u, increments of p), all rows in N.
 
-use super::exchange::Part;
-use super::matrices::{Matrices, ProductScratch};
+use super::matrices::{Matrices, Part, ProductScratch};
 use crate::boundary::Constraints;
 use crate::element::simplex::Vector;
 use linear::{LinearOperator, dense, vector};

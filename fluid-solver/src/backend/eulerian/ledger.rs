@@ -1,13 +1,12 @@
 //! The books of a window.
 
 use super::compensated::CompensatedSum;
-use super::exchange::Exchange;
-use super::flow::{Flow, in_space};
+use super::flow::Flow;
 use super::krylov::split;
-use super::recovery::{Recovered, gradient_changes};
 use super::time_rule::TimeRule;
 use crate::backend::Step;
-use crate::element::simplex::{Vector, dot};
+use crate::element::simplex::{Vector, dot, in_space};
+use crate::grains::{Exchange, Recovered, gradient_changes};
 use crate::weak_form::{Facet, PorousCell};
 use interface::ledger::FluidLedger;
 use rayon::prelude::*;
@@ -149,7 +148,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let solids = nodes.map(|node| 1.0 - self.state.void_fraction[node]);
             let pressure = facet.product(&solids, &nodes.map(|node| self.state.pressure[node]));
             let mean = solids.iter().sum::<f64>() / D as f64;
-            let stress = self.cell_stress(face.cell as usize);
+            let stress = self.felt().stress(&self.mesh, face.cell as usize);
             sum.add(std::array::from_fn(|k| mean * dot(&stress[k], &facet.area) - pressure[k]));
         }
     }

@@ -4,14 +4,24 @@
 //! momentum    A u − G p + d u − g                                              = f
 //! continuity  E u + L p + Rᵀ(φ − Π),   Π = M⁻¹(R p − r + T φ),  φ = (d u − g)/|N_a|   = s
 //! ```
-//! G is ∫ N_j ∇(ε N_i) and E its transpose, both and L with what the grains give way ([`super::compliance`]). Π is the τ₁-weighted lumped projection of y = ε(∇p − ρ(g + b)) + φ on the nodes; the last terms are (ε∇q, τ₁(y − Πy)).
+//! G is ∫ N_j ∇(ε N_i) and E its transpose, both and L with what the grains give way ([`crate::grains::Compliance`]). Π is the τ₁-weighted lumped projection of y = ε(∇p − ρ(g + b)) + φ on the nodes; the last terms are (ε∇q, τ₁(y − Πy)).
 
-use super::exchange::{NodalDrag, Part};
-use super::incidence::{Entries, for_each_node, for_each_row};
+use super::incidence::{Entries, for_each_row};
 use crate::element::simplex::{Vector, dot};
+use crate::grains::NodalDrag;
+use crate::parallel::for_each_node;
 use linear::dense::{self, Block};
 use linear::{BlockCsr, Pattern};
 use std::sync::Arc;
+
+/// Which part of an affine map is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Without constants: the map of increments.
+    Linear,
+    /// With constants.
+    Affine,
+}
 
 /// What the subscale brings to the continuity of two nodes.
 #[derive(Debug, Clone, Copy)]

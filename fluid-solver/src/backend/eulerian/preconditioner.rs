@@ -1,7 +1,5 @@
 //! Approximate inverse of the system of a step.
 
-use super::compliance::Compliance;
-use super::incidence::for_each_node;
 use super::krylov::{StepOperator, remove_sum, split, split_mut};
 use super::matrices::Matrices;
 use super::schur::Schur;
@@ -9,7 +7,9 @@ use super::velocity_multigrid::VelocityMultigrid;
 use super::velocity_sweep::VelocitySweep;
 use crate::boundary::Constraints;
 use crate::element::simplex::Vector;
+use crate::grains::Compliance;
 use crate::mesh::Mesh;
+use crate::parallel::for_each_node;
 use linear::{Pattern, Preconditioner, vector};
 use std::sync::Arc;
 

@@ -2,18 +2,17 @@
 
 use super::assembly::{AssemblyScratch, Ingredients};
 use super::balance::balance_momentum;
-use super::compliance::{Compliance, Given};
-use super::exchange::{Exchange, Part};
 use super::flow::{Flow, Properties};
-use super::incidence::for_each_node;
 use super::krylov::{StepOperator, split, split_mut};
-use super::matrices::{Matrices, ProductScratch};
+use super::matrices::{Matrices, Part, ProductScratch};
 use super::preconditioner::{Preconditioning, Resistances, StepPreconditioner, spacing};
 use super::state::State;
 use super::time_rule::TimeRule;
 use crate::backend::Step;
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
+use crate::grains::{Compliance, Exchange, Given};
+use crate::parallel::for_each_node;
 use linear::{FlexibleGmres, Pattern, Stopping, Verdict, vector};
 use std::cell::RefCell;
 use std::ops::RangeInclusive;

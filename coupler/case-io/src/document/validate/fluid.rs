@@ -33,7 +33,7 @@ fn imposed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
 fn computed(document: &Document, fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
     let backend = if fluid.backend == Backend::Pfem { "\"pfem\"" } else { "\"eulerian\"" };
     rules.no_effect("fluid.field", format_args!("with backend = {backend}"))?;
-    rules.optional_vector("fluid.velocity", fluid.velocity.as_ref())?;
+    velocity("fluid.velocity", fluid.velocity.as_ref(), rules)?;
     rules.optional_vector("fluid.body-force", fluid.body_force.as_ref())?;
     let tolerance = fluid.solve_tolerance();
     rules.number(
@@ -139,10 +139,15 @@ fn boundary(fluid: &Fluid, boundary: &Boundary, index: usize, rules: &Rules) -> 
     if kind == BoundaryKind::MovingWall {
         rules.required(&key("velocity"), "a moving wall needs it")?;
     }
-    match &boundary.velocity {
-        Some(BoundaryVelocity::Constant(vector)) => rules.vector(&key("velocity"), vector),
+    velocity(&key("velocity"), boundary.velocity.as_ref(), rules)
+}
+
+/// A velocity has as many components as the case has dimensions.
+pub(super) fn velocity(key: &str, stated: Option<&BoundaryVelocity>, rules: &Rules) -> Result<(), CaseError> {
+    match stated {
+        Some(BoundaryVelocity::Constant(vector)) => rules.vector(key, vector),
         Some(BoundaryVelocity::Expression(expressions)) => {
-            rules.components(&key("velocity.expression"), expressions.len())
+            rules.components(&format!("{key}.expression"), expressions.len())
         }
         None => Ok(()),
     }

@@ -110,8 +110,8 @@ fn fields(document: &Document, rules: &Rules) -> Result<(), CaseError> {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::GrainField;
     use crate::document::fixture::{CARRIED, CHANNEL, DRY, SETTLING, assert_refusals, document};
+    use crate::document::{BoundaryVelocity, GrainField};
 
     #[test]
     fn the_fixtures_are_sound() {
@@ -136,7 +136,10 @@ mod tests {
         assert_eq!((read.output.series(read.time.end), read.output.compress), (0.01, false));
         assert_eq!(read.insertion[0].diameters(), Some([0.001, 0.002]));
         assert_eq!(read.insertion[0].velocity.as_ref().unwrap().to_array(), [0.0, 0.0, -1.0]);
-        assert_eq!(fluid.velocity.as_ref().unwrap().to_array(), [0.01, 0.0, 0.0]);
+        let Some(BoundaryVelocity::Constant(velocity)) = &fluid.velocity else {
+            panic!("the initial velocity is stated as a vector")
+        };
+        assert_eq!(velocity.to_array(), [0.01, 0.0, 0.0]);
         assert_eq!(
             (fluid.body_force.as_ref().unwrap().to_array(), fluid.solve_tolerance()),
             ([1.0, 0.0], 1e-9)

@@ -1,9 +1,10 @@
 //! `[fluid.pfem]`, `[[fluid.body]]`, and what of `[fluid.mesh]` a fluid of moving nodes does not have.
 
+use super::fluid::velocity;
 use super::rules::Rules;
 use crate::document::quantity::Length;
 use crate::document::vector::extent;
-use crate::document::{Body, BoundaryVelocity, Fluid, MeshSource, Region};
+use crate::document::{Body, Fluid, MeshSource, Region};
 use crate::error::CaseError;
 
 pub(super) fn check(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
@@ -39,14 +40,7 @@ fn body(fluid: &Fluid, body: &Body, index: usize, rules: &Rules) -> Result<(), C
         }
         _ => {}
     }
-    let velocity = format!("{table}.velocity");
-    match &body.velocity {
-        Some(BoundaryVelocity::Constant(vector)) => rules.vector(&velocity, vector),
-        Some(BoundaryVelocity::Expression(expressions)) => {
-            rules.components(&format!("{velocity}.expression"), expressions.len())
-        }
-        None => Ok(()),
-    }
+    velocity(&format!("{table}.velocity"), body.velocity.as_ref(), rules)
 }
 
 /// The size of the cells is at most the shortest edge of a body of this extent (m).

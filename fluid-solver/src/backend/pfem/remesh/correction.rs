@@ -1,8 +1,8 @@
 //! The surface is shifted a little to restore the volume.
 
+use super::draft::Draft;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
-use super::draft::Draft;
 use crate::element::simplex::{Vector, dot};
 
 /// Share of what is missing that one step restores.

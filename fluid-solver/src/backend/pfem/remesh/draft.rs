@@ -1,8 +1,8 @@
 //! The cloud while it is edited: its surface, and what is known of its nodes beside their state.
 
+use super::size::TargetSize;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::Contacts;
-use super::size::TargetSize;
 use crate::element::simplex::{Vector, distance, volume_and_gradients};
 
 /// No node, or more than one.

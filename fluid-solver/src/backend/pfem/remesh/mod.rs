@@ -75,7 +75,8 @@ impl Remesher<2, 3> {
         let recognised = self.fluid_volume();
         books.volume.overlap.add(recognised - restored);
         self.topology(cloud, &mut books.volume, &mut events);
-        let as_before = self.triangles.fluid_count() == cloud.cells.len() && !self.draft.edited && events.none();
+        let as_before =
+            self.triangles.fluid_count() == cloud.cells.len() && !self.draft.edited && events.none();
         if !as_before || !self.still_delaunay(cloud) {
             self.take_cells(cloud);
         }

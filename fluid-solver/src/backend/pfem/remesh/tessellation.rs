@@ -1,7 +1,7 @@
 //! Triangles between all nodes of the mesh, void included.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::draft::{Draft, NONE};
+use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::Vector;
 use delaunay::constrained::Constrained;
 use delaunay::{HULL, Triangulation};
@@ -60,7 +60,9 @@ impl Tessellation {
         self.plain.neighbours.clear();
         for face in spade.inner_faces() {
             self.plain.cells.push(face.vertices().map(|v| v.data().1));
-            let across = face.adjacent_edges().map(|e| e.rev().face().as_inner().map_or(HULL, |f| f.fix().index() as u32 - 1));
+            let across = face
+                .adjacent_edges()
+                .map(|e| e.rev().face().as_inner().map_or(HULL, |f| f.fix().index() as u32 - 1));
             // Edge k runs from corner k to the next, opposite to the one after that.
             self.plain.neighbours.push([across[1], across[2], across[0]]);
         }

@@ -1,7 +1,7 @@
 //! Momentum goes over from mesh to mesh.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::draft::{Draft, nodal_volumes};
+use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::Vector;
 
 /// Momentum per density: Σ m_i v_i, m_i a third of the cells of a node, or its drop.

@@ -1,20 +1,15 @@
 //! Short edges of the surface become one node, so placed that the enclosed area stays.
 
+use super::super::draft::{Draft, NONE};
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::{Contacts, Wall};
-use super::super::draft::{Draft, NONE};
 use crate::element::simplex::{Vector, difference, distance, dot};
 
 /// Collapses edges shorter than half of h, shortest first; returns the change of area.
 ///
 /// The edge b–c between a and d becomes a node m with area(a, m, d) = area(a, b, c, d). A node at more walls than
 /// the other keeps its place; the contact node of a wall does so too.
-pub fn collapse_short_edges(
-    cloud: &mut Cloud<2, 3>,
-    draft: &mut Draft,
-    walls: &[Wall<2>],
-    time: f64,
-) -> f64 {
+pub fn collapse_short_edges(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &[Wall<2>], time: f64) -> f64 {
     let length = |edge: &[u32; 2]| distance(&cloud.place[edge[0] as usize], &cloud.place[edge[1] as usize]);
     let mut short: Vec<(f64, [u32; 2])> = draft
         .edges
@@ -33,7 +28,8 @@ pub fn collapse_short_edges(
         if !simple || a == d || draft.next[d as usize] == a || patch.iter().any(|&n| touched[n as usize]) {
             continue;
         }
-        let Some((survivor, place)) = merged(cloud, patch, length, draft.size_between(b, c), walls, time) else {
+        let Some((survivor, place)) = merged(cloud, patch, length, draft.size_between(b, c), walls, time)
+        else {
             continue;
         };
         let at = |node: u32| cloud.place[node as usize];

@@ -1,8 +1,8 @@
 //! Nodes inside: those too close to others go, wide gaps get one.
 
+use super::super::draft::{Draft, area};
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::Contacts;
-use super::super::draft::{Draft, area};
 use crate::element::simplex::distance;
 
 /// Removes inner nodes that stand too close to others, closest first, and those of flat cells under the surface.
@@ -15,7 +15,13 @@ pub fn remove_close_nodes(cloud: &Cloud<2, 3>, draft: &mut Draft) {
             let limit = if exposed == [false, false] { super::CLOSEST } else { super::CLOSEST_TO_SURFACE };
             if length < limit * h {
                 let younger = if cloud.birth[a as usize] > cloud.birth[b as usize] { a } else { b };
-                let goes = if exposed[0] { b } else if exposed[1] { a } else { younger };
+                let goes = if exposed[0] {
+                    b
+                } else if exposed[1] {
+                    a
+                } else {
+                    younger
+                };
                 close.push((length, goes, a + b - goes));
             }
         }

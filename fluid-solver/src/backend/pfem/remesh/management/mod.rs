@@ -4,9 +4,9 @@ mod collapse;
 mod interior;
 mod split;
 
+use super::draft::Draft;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
-use super::draft::Draft;
 
 /// Manages the nodes of the moved cloud: first those of the surface, then those inside.
 ///

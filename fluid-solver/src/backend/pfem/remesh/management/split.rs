@@ -1,9 +1,9 @@
 //! Long edges of the surface get a node in their middle.
 
-use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::Wall;
 use super::super::draft::Draft;
 use super::collapse::onto_wall;
+use crate::backend::pfem::cloud::Cloud;
+use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::distance;
 
 /// Splits edges longer than 1.4 h; those of a wall get a node of the wall.

@@ -1,9 +1,9 @@
 //! The alpha shape on the local target size.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::super::draft::{Draft, circumradius};
 use super::super::tessellation::Tessellation;
 use super::Predicate;
+use crate::backend::pfem::cloud::Cloud;
 
 /// R ≤ α h.
 pub struct AlphaShape {

@@ -1,9 +1,9 @@
 //! The edges of the surface become edges of the triangulation; where they cross there is a node.
 
-use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::Contacts;
 use super::super::draft::Draft;
 use super::super::tessellation::Tessellation;
+use crate::backend::pfem::cloud::Cloud;
+use crate::backend::pfem::wall::Contacts;
 use crate::element::simplex::{Vector, difference, distance, dot};
 use delaunay::constrained::Obstacle;
 
@@ -37,11 +37,7 @@ pub fn force_surface(cloud: &mut Cloud<2, 3>, draft: &mut Draft, triangles: &mut
 }
 
 /// Forces the edges of the draft in; those that could not be are taken out of it and returned with what they cross.
-fn force(
-    draft: &mut Draft,
-    triangles: &mut Tessellation,
-    untouched: &mut bool,
-) -> Vec<([u32; 2], [u32; 2])> {
+fn force(draft: &mut Draft, triangles: &mut Tessellation, untouched: &mut bool) -> Vec<([u32; 2], [u32; 2])> {
     let mut crossing = Vec::new();
     let mut waiting: Vec<[u32; 2]> = draft.edges.drain(..).rev().collect();
     while let Some(edge) = waiting.pop() {
@@ -88,8 +84,7 @@ fn node_at_crossing(cloud: &mut Cloud<2, 3>, draft: &mut Draft, edge: [u32; 2], 
     let velocity = [0, 1].map(|k| {
         0.5 * (between(v(edge[0])[k], v(edge[1])[k], s) + between(v(other[0])[k], v(other[1])[k], t))
     });
-    let pressure =
-        0.5 * (between(p(edge[0]), p(edge[1]), s) + between(p(other[0]), p(other[1]), t));
+    let pressure = 0.5 * (between(p(edge[0]), p(edge[1]), s) + between(p(other[0]), p(other[1]), t));
     let mut contacts = Contacts::default();
     for [a, b] in [edge, other] {
         let common = cloud.contacts[a as usize].common(cloud.contacts[b as usize]);

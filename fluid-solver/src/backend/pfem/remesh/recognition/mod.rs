@@ -4,9 +4,9 @@ mod alpha_shape;
 mod crossings;
 mod moved_domain;
 
-use crate::backend::pfem::cloud::Cloud;
 use super::draft::Draft;
 use super::tessellation::Tessellation;
+use crate::backend::pfem::cloud::Cloud;
 
 /// The rule.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,12 +29,7 @@ trait Predicate {
 
 impl Recognition {
     /// Triangulates the nodes and marks the triangles that are fluid; false if the surface had to be changed for it.
-    pub fn recognise(
-        self,
-        cloud: &mut Cloud<2, 3>,
-        draft: &mut Draft,
-        triangles: &mut Tessellation,
-    ) -> bool {
+    pub fn recognise(self, cloud: &mut Cloud<2, 3>, draft: &mut Draft, triangles: &mut Tessellation) -> bool {
         match self {
             Self::MovedDomain => moved_domain::MovedDomain.recognise(cloud, draft, triangles),
             Self::AlphaShape { alpha } => {

@@ -1,9 +1,9 @@
 //! The inside of the moved surface.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::super::draft::Draft;
 use super::super::tessellation::Tessellation;
 use super::{Predicate, crossings};
+use crate::backend::pfem::cloud::Cloud;
 use delaunay::HULL;
 
 /// Winding number of the moved surface > 0.

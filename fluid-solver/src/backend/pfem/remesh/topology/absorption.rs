@@ -1,8 +1,8 @@
 //! Drops that fall into the fluid are taken up.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::super::draft::Draft;
 use super::super::tessellation::Tessellation;
+use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::{Vector, barycentric, distance, volume_and_gradients};
 
 /// A drop closer to the fluid than this share of h is taken up.

@@ -1,8 +1,8 @@
 //! Surfaces merge where the gap between them is thin and closing.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::super::draft::{Draft, area, circumradius, height};
 use super::super::tessellation::Tessellation;
+use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::{Vector, difference};
 
 /// A gap thinner than this share of h closes.

@@ -1,8 +1,8 @@
 //! Pieces of fluid that are too small for cells become one drop in flight.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::super::draft::{Draft, area};
 use super::super::tessellation::Tessellation;
+use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::Vector;
 use delaunay::HULL;
 

@@ -1,19 +1,15 @@
 //! Sheets and necks break where they are too thin for the cells.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::super::draft::{Draft, area, height};
 use super::super::tessellation::Tessellation;
+use crate::backend::pfem::cloud::Cloud;
 
 /// A cell between two surfaces breaks when it is thinner than this share of h.
 const THINNEST: f64 = 0.05;
 
 /// Breaks thin cells with all corners on the surface. Nodes that lose their last cell become drops with its volume.
 /// Returns the number of cells and the area that is in none of the drops.
-pub fn break_thin_cells(
-    cloud: &mut Cloud<2, 3>,
-    draft: &Draft,
-    triangles: &mut Tessellation,
-) -> (u32, f64) {
+pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut Tessellation) -> (u32, f64) {
     let mut exposed = vec![false; cloud.place.len()];
     for triangle in (0..triangles.len()).filter(|&triangle| triangles.fluid[triangle]) {
         let nodes = triangles.nodes(triangle);

@@ -1,8 +1,8 @@
 //! A void that is closed in on all sides and small is filled at once: its collapse is not resolved.
 
-use crate::backend::pfem::cloud::Cloud;
 use super::super::draft::{Draft, area};
 use super::super::tessellation::Tessellation;
+use crate::backend::pfem::cloud::Cloud;
 use delaunay::HULL;
 
 /// A void smaller than this many h² is filled.

@@ -69,15 +69,6 @@ struct Scratch<const D: usize> {
     deposit_lumped: Deposit<4>,
 }
 
-/// Which part of an affine map is meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
-    /// Without constants: the map of increments.
-    Linear,
-    /// With constants.
-    Affine,
-}
-
 impl<const D: usize> Reaction<D> {
     const NONE: Self = Self {
         coefficient: 0.0,

@@ -1,0 +1,131 @@
+//! Grains in a fluid with a free surface: a grain is wet by the share of it that is below the surface.
+
+use super::Placing;
+use super::wetted::share_below;
+use crate::element::simplex::{Vector, barycentric};
+use crate::mesh::Mesh;
+use crate::mesh::locate::Locator;
+use crate::parallel::NODES;
+use crate::void_fraction::{Grain, SurfaceKernel, VoidFractionError, Weights};
+use rayon::prelude::*;
+
+/// The group of boundary faces that are the free surface; all others are walls.
+pub const FREE_SURFACE: u32 = 0;
+
+/// Search and kernel of a mesh that is replaced and moved.
+pub struct FreeSurface<const D: usize> {
+    locator: Locator<D>,
+    kernel: SurfaceKernel<D>,
+    hosts: Vec<Option<u32>>,
+    immersions: Vec<Option<Immersion>>,
+}
+
+/// How a wet grain is in the fluid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Immersion {
+    /// Share of its volume.
+    wetted: f64,
+    /// Mesh size at the nearest place of the fluid (m).
+    size: f64,
+}
+
+/// A boundary face near a grain.
+#[derive(Debug, Clone, Copy)]
+struct Near<const D: usize> {
+    distance: f64,
+    face: u32,
+    place: Vector<D>,
+}
+
+impl<const D: usize> FreeSurface<D> {
+    /// For a mesh as it is now.
+    pub fn new<const N: usize>(mesh: &Mesh<D, N>) -> Self {
+        Self {
+            locator: Locator::new(mesh),
+            kernel: SurfaceKernel::new(mesh),
+            hosts: Vec::new(),
+            immersions: Vec::new(),
+        }
+    }
+
+    /// Follows a mesh that has moved or has other cells.
+    pub fn follow<const N: usize>(&mut self, mesh: &Mesh<D, N>) {
+        self.locator = Locator::new(mesh);
+        self.kernel = SurfaceKernel::new(mesh);
+    }
+
+    /// Where points are.
+    pub fn locator(&self) -> &Locator<D> {
+        &self.locator
+    }
+
+    /// How a grain is in the fluid; none if it is dry.
+    ///
+    /// The surface near a grain is taken for a plane, at the signed distance of its nearest point. A centre outside all cells
+    /// that has only a wall within its radius is behind a coarse wall, and wet.
+    fn immersion<const N: usize>(
+        &self,
+        mesh: &Mesh<D, N>,
+        grain: &Grain<D>,
+        host: &mut Option<u32>,
+    ) -> Option<Immersion> {
+        let (x, radius) = (&grain.position, 0.5 * grain.diameter);
+        let [mut surface, mut wall]: [Option<Near<D>>; 2] = [None; 2];
+        self.locator.for_each_face_within(mesh, x, radius, |face, distance, place| {
+            let is_surface = mesh.boundary()[face as usize].group == FREE_SURFACE;
+            let nearest = if is_surface { &mut surface } else { &mut wall };
+            if nearest.is_none_or(|near| (distance, face) < (near.distance, near.face)) {
+                *nearest = Some(Near { distance, face, place });
+            }
+        });
+        let inside = self.locator.host(mesh, x, *host);
+        *host = inside.map(|(cell, _)| cell);
+        match (inside, surface, wall) {
+            (Some((cell, coordinates)), surface, _) => {
+                let wetted = surface.map_or(1.0, |near| share_below::<D>(near.distance / radius));
+                Some(Immersion { wetted, size: mesh.interpolate(mesh.size(), cell as usize, &coordinates) })
+            }
+            (None, Some(near), _) => {
+                let wetted = share_below::<D>(-near.distance / radius);
+                (wetted > 0.0).then(|| Immersion { wetted, size: size_at(mesh, &near) })
+            }
+            (None, None, Some(near)) => Some(Immersion { wetted: 1.0, size: size_at(mesh, &near) }),
+            (None, None, None) => None,
+        }
+    }
+}
+
+/// Mesh size at the place of a boundary face (m).
+fn size_at<const D: usize, const N: usize>(mesh: &Mesh<D, N>, near: &Near<D>) -> f64 {
+    let cell = mesh.boundary()[near.face as usize].cell as usize;
+    let coordinates = barycentric(&mesh.gradients()[cell], &mesh.vertices(cell), &near.place);
+    mesh.interpolate(mesh.size(), cell, &coordinates)
+}
+
+impl<const D: usize, const N: usize> Placing<D, N> for FreeSurface<D> {
+    fn place(
+        &mut self,
+        mesh: &Mesh<D, N>,
+        grains: &[Grain<D>],
+        weights: &mut Weights,
+        wetted: &mut Vec<f64>,
+    ) -> Result<(), VoidFractionError> {
+        let finite = |grain: &Grain<D>| grain.position.iter().all(|x| x.is_finite());
+        if let Some(grain) = grains.iter().position(|grain| !finite(grain)) {
+            let position = grains[grain].position.to_vec();
+            return Err(VoidFractionError::Position { grain, position });
+        }
+        let mut hosts = std::mem::take(&mut self.hosts);
+        hosts.resize(grains.len(), None);
+        let mut immersions = std::mem::take(&mut self.immersions);
+        immersions.resize(grains.len(), None);
+        let work = immersions.par_iter_mut().zip(&mut hosts).zip(grains).with_min_len(NODES);
+        work.for_each(|((immersion, host), grain)| *immersion = self.immersion(mesh, grain, host));
+        let size = |grain: usize| immersions[grain].map(|immersion| immersion.size);
+        self.kernel.weigh(grains, size, weights);
+        wetted.clear();
+        wetted.extend(immersions.iter().map(|immersion| immersion.map_or(0.0, |i| i.wetted)));
+        (self.hosts, self.immersions) = (hosts, immersions);
+        Ok(())
+    }
+}
