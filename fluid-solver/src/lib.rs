@@ -14,6 +14,7 @@ mod parallel;
 pub mod program;
 mod record;
 pub mod sample;
+mod stress;
 pub mod void_fraction;
 pub mod weak_form;
 

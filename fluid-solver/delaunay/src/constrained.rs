@@ -44,11 +44,6 @@ impl Constrained {
         self.made.clear();
     }
 
-    /// Whether some point is a corner of no triangle: it lies where another does, or all lie on one line.
-    pub fn misses_points(&self) -> bool {
-        self.incident.contains(&HULL)
-    }
-
     /// The triangle to the left of the edge from `a` to `b`, and the corner opposite; none if there is no such edge
     /// or it has the hull on its left.
     pub fn left_of(&self, a: u32, b: u32) -> Option<(usize, usize)> {

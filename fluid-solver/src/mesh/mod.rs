@@ -8,6 +8,7 @@
 pub mod bins;
 mod build;
 pub mod case;
+mod corners;
 mod error;
 pub mod generate;
 pub mod gmsh;
@@ -19,6 +20,7 @@ mod surface;
 mod topology;
 
 pub use build::{MeshParts, PeriodicPairs};
+pub use corners::Corners;
 pub use error::{MeshError, Place};
 pub use particles::Linked;
 pub use periodicity::{Period, Periodicity};

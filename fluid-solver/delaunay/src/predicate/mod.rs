@@ -55,7 +55,7 @@ fn rough_orientation<const D: usize, const N: usize>(corners: [&[f64; D]; N]) ->
 /// Sign of the in-sphere determinant, positive if `point` lies inside the circumsphere of a positive simplex; zero where
 /// rounding could have changed the sign, and of a ghost.
 #[inline(always)]
-pub fn rough_in_sphere<const D: usize, const N: usize>(corners: [&[f64; D]; N], point: &[f64; D]) -> f64 {
+fn rough_in_sphere<const D: usize, const N: usize>(corners: [&[f64; D]; N], point: &[f64; D]) -> f64 {
     let (value, bound) = if D == 2 {
         plane::in_circle([0, 1, 2].map(|k| plane::from(corners[k], point)))
     } else {

@@ -1,7 +1,7 @@
 //! `pfem`: the particle finite element method. The nodes are particles of the fluid and carry all of its state; the mesh
 //! between them is made anew where they moved.
 //!
-//! One step: [`flow`] moves the nodes on the mesh at t_n, [`remesh`] finds the mesh at t_{n+1}.
+//! One step: [`grains`] are placed where they end, [`flow`] moves the nodes on the mesh at t_n, [`remesh`] finds the mesh at t_{n+1}.
 
 mod backend;
 mod body;
@@ -9,6 +9,7 @@ mod case;
 mod checkpoint;
 pub mod cloud;
 pub mod flow;
+pub mod grains;
 mod output;
 mod probe;
 pub mod remesh;

@@ -8,7 +8,10 @@ const LARGEST: f64 = (1u64 << 62) as f64;
 /// Differences of points and an origin in the largest unit that all coordinates are multiples of, or a smaller one; none if
 /// they have more than 62 bits.
 #[inline(always)]
-pub fn differences<const D: usize, const M: usize>(points: [&[f64; D]; M], origin: &[f64; D]) -> Option<[[i64; D]; M]> {
+pub fn differences<const D: usize, const M: usize>(
+    points: [&[f64; D]; M],
+    origin: &[f64; D],
+) -> Option<[[i64; D]; M]> {
     let mut least = 1075;
     for point in points.iter().chain([&origin]) {
         for x in *point {

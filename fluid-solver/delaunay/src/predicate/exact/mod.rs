@@ -107,3 +107,49 @@ fn planar<const D: usize>(point: &[f64; D]) -> Coord<f64> {
 fn coordinates<const D: usize>(point: &[f64; D]) -> Coord3D<f64> {
     Coord3D { x: point[0], y: point[1], z: point[2] }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of `bits` random bits times 2^-40.
+    fn number(state: &mut u64, bits: u32) -> f64 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((*state >> 11) as i64 >> (53 - bits)) as f64 * f64::powi(2.0, -40)
+    }
+
+    #[test]
+    fn integers_and_expansions_agree_near_and_on_spheres() {
+        let mut state = 1;
+        let (mut compared, mut zero) = (0, [0; 2]);
+        for round in 0..20_000 {
+            let bits = [3, 4, 20, 40, 53][round % 5];
+            let mut points: [[f64; 3]; 5] =
+                std::array::from_fn(|_| std::array::from_fn(|_| number(&mut state, bits)));
+            if round % 2 == 0 {
+                // Nearly a rectangle.
+                points[3] = [points[0][0], points[2][1], points[0][2]];
+                points[4] = [points[2][0], points[0][1].next_up(), points[0][2]];
+                points[2][2] = points[0][2];
+            }
+            let [a, b, c, d, e] = points.each_ref();
+            let Some(ball) = differences([a, b, c, d], e).map(in_ball) else { continue };
+            let Some(corner) = differences([a, b, c], d).map(volume) else { continue };
+            let [fa, fb, fc, fd, fe] = [a, b, c, d, e].map(coordinates);
+            assert_eq!(ball, -sign(robust::insphere(fa, fb, fc, fd, fe)));
+            assert_eq!(corner, sign(robust::orient3d(fa, fb, fc, fd)));
+            let flat = points.map(|p| [p[0], p[1]]);
+            let [a, _, c, d, e] = flat.each_ref();
+            let Some(circle) = differences([a, c, d], e).map(in_circle) else { continue };
+            let [a, c, d, e] = [a, c, d, e].map(planar);
+            assert_eq!(circle, sign(robust::incircle(a, c, d, e)));
+            compared += 1;
+            zero = [zero[0] + usize::from(ball == 0.0), zero[1] + usize::from(circle == 0.0)];
+        }
+        assert!(compared > 15_000 && zero.iter().all(|zero| *zero > 100), "{compared} {zero:?}");
+    }
+
+    fn sign(x: f64) -> f64 {
+        if x == 0.0 { 0.0 } else { x.signum() }
+    }
+}

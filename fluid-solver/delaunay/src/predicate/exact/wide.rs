@@ -84,7 +84,8 @@ impl<const L: usize> From<i128> for Wide<L> {
 mod tests {
     use super::Wide;
 
-    const CASES: [i128; 8] = [0, 1, -1, 7, -12_345_678_901_234_567_890, 1 << 90, -(1 << 100), i64::MAX as i128];
+    const CASES: [i128; 8] =
+        [0, 1, -1, 7, -12_345_678_901_234_567_890, 1 << 90, -(1 << 100), i64::MAX as i128];
 
     #[test]
     fn it_calculates_like_128_bits_where_those_suffice() {

@@ -5,14 +5,17 @@ use super::contact::{Contact, moved};
 use super::fault::FlowFault;
 use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::{Assembly, Fields};
-use super::preconditioner::{self, Pressure, StepPreconditioner};
+use super::porous::Porous;
+use super::preconditioner::{Preconditioning, StepPreconditioner};
 use super::solution::{FlowSolution, Residuals};
 use super::strain::Strain;
+use super::suspended::{Part, Suspended};
 use super::topology::Topology;
 use crate::backend::Step;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::{Vector, dot};
+use crate::grains::Suspension;
 use linear::{FlexibleGmres, Stopping, vector};
 use std::cell::RefCell;
 
@@ -41,8 +44,8 @@ pub struct Fluid {
 pub struct Control {
     /// Norm of the residual relative to that of the predictor and of the inertia of the flow.
     pub tolerance: f64,
-    /// θ: forces are those at t_n + θΔt and v_{n+1} = v_n + (v_m − v_n)/θ. One half is of second order and keeps the
-    /// energy; more damps what rings from step to step.
+    /// θ: v_m = v_n + θΔt v′ and v_{n+1} = v_n + Δt v′. One half is of second order and keeps the energy; more damps what
+    /// rings from step to step, 1 takes all that an impact leaves.
     pub implicitness: f64,
     /// How far a cell may be strained in a step.
     pub strain: Strain,
@@ -55,10 +58,12 @@ impl Default for Control {
 }
 
 /// What acts on the fluid from outside.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Forces<const D: usize> {
+#[derive(Clone, Copy, Debug)]
+pub struct Forces<'a, const D: usize> {
     /// g (m/s²).
     pub gravity: Vector<D>,
+    /// The grains in it, if any.
+    pub grains: Option<Suspension<'a, D>>,
 }
 
 /// What a step starts from.
@@ -67,19 +72,29 @@ struct Start<'a, const D: usize, const N: usize> {
     cloud: &'a Cloud<D, N>,
     walls: &'a [Wall<D>],
     step: Step,
-    forces: &'a Forces<D>,
+    forces: &'a Forces<'a, D>,
+}
+
+impl<const D: usize, const N: usize> Start<'_, D, N> {
+    /// The grains, with the cells that they make porous.
+    fn suspended<'a>(&'a self, cells: &'a [Porous<D, N>], implicitness: f64) -> Option<Suspended<'a, D, N>> {
+        let suspension = self.forces.grains.as_ref()?;
+        Some(Suspended { suspension, before: &self.cloud.velocity, implicitness, cells })
+    }
 }
 
 /// Solves steps; holds nothing that a step depends on but what fluid it is.
 pub struct Flow<const D: usize, const N: usize> {
     fluid: Fluid,
     control: Control,
+    /// θ of the step.
+    implicitness: f64,
     /// Of the mesh that was there last.
-    mesh: Option<(Topology<N>, Pressure)>,
+    mesh: Option<(Topology<N>, Preconditioning<D>)>,
     assembly: Assembly<D, N>,
     contact: Contact<D>,
     excess: Vec<Vector<D>>,
-    preconditioning: preconditioner::Scratch<D>,
+    porous: Vec<Porous<D, N>>,
     /// The rows at the iterate.
     rows: Vec<f64>,
     /// Their negative in the free directions.
@@ -102,11 +117,12 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         Self {
             fluid,
             control,
+            implicitness: control.implicitness,
             mesh: None,
             assembly: Assembly::default(),
             contact: Contact::default(),
             excess: Vec::new(),
-            preconditioning: preconditioner::Scratch::default(),
+            porous: Vec::new(),
             rows: Vec::new(),
             right: Vec::new(),
             increment: Vec::new(),
@@ -117,6 +133,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// The fluid.
     pub fn fluid(&self) -> &Fluid {
         &self.fluid
+    }
+
+    /// Takes another θ from the next step on.
+    pub fn set_implicitness(&mut self, implicitness: f64) {
+        self.control.implicitness = implicitness;
     }
 
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
@@ -145,16 +166,18 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         cloud: &Cloud<D, N>,
         walls: &[Wall<D>],
         step: Step,
-        forces: &Forces<D>,
+        forces: &Forces<'_, D>,
     ) -> Result<FlowSolution<D>, FlowFault> {
         let start = Start { cloud, walls, step, forces };
+        // The middle of a step would turn the part of v round that a blow takes away.
+        self.implicitness = if cloud.struck { 1.0 } else { self.control.implicitness };
         let nodes = cloud.place.len();
         let mut mesh = match self.mesh.take() {
             Some(mesh) if mesh.0.is_of(nodes, &cloud.cells) => mesh,
             _ => {
                 let topology = Topology::new(nodes, &cloud.cells)?;
-                let pressure = Pressure::new(&topology);
-                (topology, pressure)
+                let preconditioning = Preconditioning::new(&topology);
+                (topology, preconditioning)
             }
         };
         self.excess.resize(nodes, [0.0; D]);
@@ -176,9 +199,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// Drops fly, and stop at walls.
     fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
         let Start { cloud, walls, step, forces } = start;
-        let implicit = self.control.implicitness * step.length;
         for (_, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
-            *v = moved(v, implicit, &forces.gravity);
+            *v = moved(v, 0.5 * step.length, &forces.gravity);
         }
         self.contact.find(cloud, walls, step, velocity);
     }
@@ -187,7 +209,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     fn improve(
         &mut self,
         start: Start<'_, D, N>,
-        (topology, schur): &mut (Topology<N>, Pressure),
+        (topology, preconditioning): &mut (Topology<N>, Preconditioning<D>),
         velocity: &mut [Vector<D>],
         pressure: &mut [f64],
     ) -> Result<Progress, FlowFault> {
@@ -201,17 +223,19 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 *v = constraint.impose(v);
             }
             self.evaluate(start, topology, velocity, pressure);
-            let (momentum_size, force_size) = self.sizes(start, topology, velocity, pressure);
+            let scale = self.volume_scale(start);
+            let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
-            let Self { assembly, excess, contact, right, increment, rows, krylov, preconditioning, .. } =
-                self;
-            let spacing = (vector::sum(&assembly.volumes) / velocity.len() as f64).powf(1.0 / D as f64);
+            let implicitness = self.control.implicitness;
+            let Self { assembly, excess, porous, contact, right, increment, rows, krylov, .. } = self;
+            let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
                 constraints: &contact.constraints,
                 inertia,
                 compressibility,
-                scale: inertia * spacing,
+                scale,
+                grains,
                 scratch: RefCell::new(krylov::Scratch { assembly, excess }),
             };
             right.copy_from_slice(rows);
@@ -242,18 +266,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                     target: allowed,
                 });
             }
-            {
+            if progress.passes == 0 {
                 let assembly = &operator.scratch.borrow().assembly;
-                preconditioning.refresh(topology, assembly, inertia);
-                if progress.passes == 0 {
-                    schur.refresh(cloud, assembly, 1.0 / inertia, compressibility)?;
-                }
+                let rates = (inertia, compressibility);
+                preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;
             }
             increment.fill(0.0);
             let absolute = (FORCING * norm).max(0.5 * allowed);
             let stopping = Stopping { relative: 0.0, absolute, iterations: ITERATIONS[1] };
-            let mut preconditioner =
-                StepPreconditioner { operator: &operator, pressure: schur, scratch: preconditioning };
+            let mut preconditioner = StepPreconditioner { operator: &operator, parts: preconditioning };
             let outcome = krylov.solve(&operator, &mut preconditioner, right, increment, stopping);
             progress.iterations += outcome.iterations as u64;
             progress.passes += 1;
@@ -275,37 +296,61 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let Start { cloud, step, forces, .. } = start;
         let (inertia, compressibility) = (self.inertia(step), self.compressibility(step));
         let Fluid { density, viscosity, .. } = self.fluid;
-        let implicit = self.control.implicitness * step.length;
-        let place = |node: usize| moved(&cloud.place[node], implicit, &velocity[node]);
+        // In the middle, whatever θ is: there ∫∇·v is the change of volume.
+        let place = |node: usize| moved(&cloud.place[node], 0.5 * step.length, &velocity[node]);
         self.assembly.place(topology, place, inertia, viscosity);
+        if let Some(suspension) = &forces.grains {
+            let cells = &self.assembly.cells;
+            let implicitness = self.control.implicitness;
+            Suspended::fill(suspension, implicitness, topology.cells(), cells, &mut self.porous);
+            self.assembly.share_volume(topology, &self.porous);
+        }
         for_each(&mut self.excess, |node, e| {
             let (v, before) = (&velocity[node], &cloud.velocity[node]);
             *e = std::array::from_fn(|k| inertia * (v[k] - before[k]) - density * forces.gravity[k]);
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);
-        let fields = Fields { velocity, pressure, excess: &self.excess };
+        let grains = start.suspended(&self.porous, self.control.implicitness);
+        let grains = grains.map(|grains| (grains, Part::Affine));
+        let fields = Fields { velocity, pressure, excess: &self.excess, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
         self.assembly.evaluate(topology, fields, curvature, momentum, volumes);
         for_each(volumes, |node, row| {
             let change = pressure[node] - cloud.pressure[node];
             *row += compressibility * self.assembly.volumes[node] * change;
+            *row += forces.grains.map_or(0.0, |grains| grains.source[node]);
         });
     }
 
-    /// Norms of V_i ρv/(θΔt), and of the sizes of the terms that make up a force (N).
+    /// Rows of volume times (ρ/(θΔt) + d/(θV)) and the spacing have the size of forces (N s/m³).
+    fn volume_scale(&self, start: Start<'_, D, N>) -> f64 {
+        let (nodes, volumes) = (start.cloud.place.len(), vector::sum(&self.assembly.volumes));
+        let drag = start.suspended(&self.porous, self.control.implicitness).map_or(0.0, |grains| {
+            let resistance: f64 = (0..nodes).map(|node| grains.resistance(node)).sum();
+            resistance / volumes
+        });
+        let spacing = (volumes / nodes as f64).powf(1.0 / D as f64);
+        (self.inertia(start.step) + drag) * spacing
+    }
+
+    /// Norms of (V_i ρ/(θΔt) + d/θ)v, and of the sizes of the terms that make up a force (N).
     fn sizes(
         &mut self,
         start: Start<'_, D, N>,
         topology: &Topology<N>,
-        velocity: &[Vector<D>],
-        pressure: &[f64],
+        (velocity, pressure): (&[Vector<D>], &[f64]),
+        scale: f64,
     ) -> (f64, f64) {
         let inertia = self.inertia(start.step);
         let weight = self.fluid.density * dot(&start.forces.gravity, &start.forces.gravity).sqrt();
-        let Self { assembly, right, .. } = self;
+        let implicitness = self.control.implicitness;
+        let Self { assembly, porous, right, .. } = self;
+        let grains = start.suspended(porous, implicitness);
         let (momentum, force) = right.split_at_mut(velocity.len());
         for_each(momentum, |node, size| {
-            *size = inertia * assembly.volumes[node] * dot(&velocity[node], &velocity[node]).sqrt();
+            let resistance = grains.map_or(0.0, |grains| grains.resistance(node));
+            let speed = dot(&velocity[node], &velocity[node]).sqrt();
+            *size = (inertia * assembly.volumes[node] + resistance) * speed;
         });
         let force = &mut force[..velocity.len()];
         for_each(force, |node, size| {
@@ -313,6 +358,16 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             for corner in topology.corners(node) {
                 let area = &assembly.cells[corner.cell as usize].areas[corner.local as usize];
                 *size += pressure[node].abs() * dot(area, area).sqrt();
+            }
+            let Some(grains) = &grains else { return };
+            // Drag scales volumes where there is none.
+            for corner in topology.corners(node) {
+                let cell = corner.cell as usize;
+                let (area, inverse) =
+                    (&assembly.cells[cell].areas[corner.local as usize], assembly.cells[cell].inverse);
+                let area = dot(area, area).sqrt();
+                let slope = weight + pressure[node].abs() * area * inverse;
+                *size += scale * grains.cells[cell].relaxation() * area * slope;
             }
         });
         (vector::norm(momentum), vector::norm(force))
@@ -334,34 +389,40 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let volumes = self.assembly.volumes.iter().zip(&cloud.drop);
         let mass: Vec<f64> = volumes.map(|(volume, drop)| self.fluid.density * (volume + drop)).collect();
         let is_free = |node: usize| self.contact.touched[node].is_empty();
-        let (mut left, mut free_mass) = ([0.0; D], 0.0);
+        // Of the velocity at the end.
+        let drag = |node: usize| forces.grains.map_or(0.0, |grains| grains.drag.resistance[node]);
+        let (mut left, mut resistance) = ([0.0; D], 0.0);
         for node in (0..mass.len()).filter(|&node| is_free(node)) {
-            free_mass += self.fluid.density * self.assembly.volumes[node];
+            resistance += self.fluid.density * self.assembly.volumes[node] / step.length + drag(node);
             left = moved(&left, 1.0, &rows[node]);
         }
-        let drift = left.map(|left| if free_mass > 0.0 { left * step.length / free_mass } else { 0.0 });
+        let drift = left.map(|left| if resistance > 0.0 { left / resistance } else { 0.0 });
         let mut end_velocity = cloud.velocity.clone();
         let mut reaction = vec![[0.0; D]; mass.len()];
         for node in 0..mass.len() {
             let (before, middle) = (&cloud.velocity[node], &velocity[node]);
-            let change: Vector<D> =
-                std::array::from_fn(|k| (middle[k] - before[k]) / self.control.implicitness);
+            let flies = self.assembly.volumes[node] == 0.0;
+            let implicitness = if flies { 0.5 } else { self.implicitness };
+            let change: Vector<D> = std::array::from_fn(|k| (middle[k] - before[k]) / implicitness);
             let end = &mut end_velocity[node];
             *end = moved(end, 1.0, &change);
             if is_free(node) {
-                if self.assembly.volumes[node] > 0.0 {
+                if !flies {
                     *end = moved(end, -1.0, &drift);
                 }
                 continue;
             }
+            let unheld = *end;
             *end = self.contact.at_end(cloud, walls, step, node, middle, end);
-            let other: Vector<D> = if cloud.drop[node] > 0.0 {
+            let other: Vector<D> = if flies {
                 forces.gravity.map(|g| mass[node] * g)
             } else {
                 std::array::from_fn(|k| mass[node] * change[k] / step.length - rows[node][k])
             };
-            reaction[node] =
-                std::array::from_fn(|k| mass[node] * (end[k] - before[k]) / step.length - other[k]);
+            reaction[node] = std::array::from_fn(|k| {
+                let inertia = mass[node] * (end[k] - before[k]) / step.length;
+                inertia + drag(node) * (end[k] - unheld[k]) - other[k]
+            });
         }
         FlowSolution {
             velocity,
@@ -370,6 +431,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             contacts: self.contact.touched.clone(),
             reaction,
             mass,
+            implicitness: self.control.implicitness,
             iterations: progress.iterations,
             passes: progress.passes,
             residuals: progress.residuals,
@@ -378,7 +440,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// ρ/(θΔt) (kg/(m³ s)).
     fn inertia(&self, step: Step) -> f64 {
-        self.fluid.density / (self.control.implicitness * step.length)
+        self.fluid.density / (self.implicitness * step.length)
     }
 
     /// 1/(κΔt) (1/(Pa s)).

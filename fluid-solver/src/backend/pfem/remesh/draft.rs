@@ -117,29 +117,15 @@ impl Draft {
         self.removed[node as usize] = true;
     }
 
-    /// Makes one node of nodes at exactly the same place, as in the corner of two walls.
-    pub fn unite_coincident(&mut self, cloud: &mut Cloud<2, 3>) {
-        let meshed = |node: &u32| cloud.drop[*node as usize] == 0.0 && !self.removed[*node as usize];
-        let mut order: Vec<u32> = (0..cloud.place.len() as u32).filter(meshed).collect();
-        let place = |node: u32| cloud.place[node as usize];
-        order.sort_unstable_by(|&a, &b| {
-            let ([x, y], [z, w]) = (place(a), place(b));
-            x.total_cmp(&z).then(y.total_cmp(&w)).then(a.cmp(&b))
-        });
-        let mut twin_of: Vec<u32> = (0..cloud.place.len() as u32).collect();
-        for pair in order.windows(2) {
-            if place(pair[0]) == place(pair[1]) {
-                twin_of[pair[1] as usize] = twin_of[pair[0] as usize];
-            }
+    /// Makes one node of two at the same place, as in the corner of two walls.
+    pub fn unite(&mut self, cloud: &mut Cloud<2, 3>, gone: u32, kept: u32) {
+        for wall in cloud.contacts[gone as usize].iter() {
+            cloud.contacts[kept as usize].insert(wall);
         }
-        for node in order.into_iter().filter(|&node| twin_of[node as usize] != node) {
-            let twin = twin_of[node as usize] as usize;
-            cloud.contacts[node as usize].iter().for_each(|wall| cloud.contacts[twin].insert(wall));
-            self.mass[twin] += self.mass[node as usize];
-            self.remove(node);
-        }
-        for node in self.edges.iter_mut().flatten() {
-            *node = twin_of[*node as usize];
+        self.mass[kept as usize] += self.mass[gone as usize];
+        self.remove(gone);
+        for node in self.edges.iter_mut().flatten().filter(|node| **node == gone) {
+            *node = kept;
         }
         self.edges.retain(|[a, b]| a != b);
     }

@@ -1,0 +1,75 @@
+//! Runs a trial to its end or its error.
+
+use std::fs;
+use std::path::Path;
+
+use case_io::document::{Case, Overrides};
+use case_io::output::OutputError;
+
+use super::outcome::{Outcome, Worst};
+use super::trials::Trial;
+use crate::backend::{self, Attempt, FluidBackend, Step};
+
+/// Windows are halved so often before a trial is given up.
+const HALVINGS: u32 = 10;
+
+/// Runs a trial; its case stays in `folder`.
+///
+/// # Errors
+/// The disk's; whatever the backend says is an outcome.
+pub fn run(trial: &Trial, folder: &Path) -> Result<Outcome, OutputError> {
+    fs::create_dir_all(folder).map_err(OutputError::system("make", folder))?;
+    let path = folder.join("case.toml");
+    fs::write(&path, trial.case()).map_err(OutputError::system("write", &path))?;
+    let mut time = 0.0;
+    Ok(match advance(trial, folder, &mut time) {
+        Ok(worst) => Outcome::Ran(worst),
+        Err(message) => Outcome::Stopped(time, message),
+    })
+}
+
+/// The worst of a run, or the message that ended it.
+fn advance(trial: &Trial, folder: &Path, time: &mut f64) -> Result<Worst, String> {
+    let case = Case::load_run(folder, &Overrides::default(), None).map_err(told)?;
+    let mut fluid = backend::of(&case, true).map_err(told)?;
+    let first = statistic(fluid.as_ref(), 0.0, "energy[J]");
+    let mut worst = Worst { volume_error: 0.0, energy_growth: 1.0, speed: 0.0, halved: 0 };
+    let mut halvings = 0;
+    while *time < trial.end * (1.0 - 1e-9) {
+        let whole = trial.window * 0.5_f64.powi(halvings as i32);
+        let step = Step { time: *time, length: whole.min(fluid.largest_step()).min(trial.end - *time) };
+        fluid.save();
+        match fluid.solve(step, &[]).map_err(told)? {
+            Attempt::Solved(_) => {
+                fluid.commit(step).map_err(told)?;
+                *time = step.end();
+                halvings = 0;
+                let now = |name| statistic(fluid.as_ref(), step.end(), name);
+                // The greatest, and not a number if one is none.
+                let greatest = |old: f64, new: f64| if new <= old { old } else { new };
+                worst.volume_error = greatest(worst.volume_error, now("volume-error[-]").abs());
+                worst.energy_growth = greatest(worst.energy_growth, now("energy[J]") / first);
+                worst.speed = now("speed-max[m/s]");
+            }
+            Attempt::TooLarge(refused) => {
+                fluid.restore();
+                halvings += 1;
+                worst.halved += 1;
+                if halvings > HALVINGS {
+                    return Err(format!("a window of {:.1e} s is too long: {}", step.length, refused.reason));
+                }
+            }
+        }
+    }
+    Ok(worst)
+}
+
+fn told(error: impl ToString) -> String {
+    error.to_string()
+}
+
+/// A statistic by its name; one that the backend does not tell is no number.
+fn statistic(fluid: &dyn FluidBackend, time: f64, name: &str) -> f64 {
+    let told = fluid.statistics(time);
+    told.iter().find(|(title, _)| *title == name).map_or(f64::NAN, |(_, value)| *value)
+}
