@@ -33,7 +33,7 @@ impl<const D: usize, const N: usize> Tank<D, N> {
         let medium = Medium { density: WATER.density, viscosity: WATER.viscosity };
         let depth = if D == 2 { DEPTH } else { 1.0 };
         let grains = GrainsInCloud::new(medium, depth);
-        Self { flow: flow(WATER, 1e-8), cloud, walls, grains, time: 0.0 }
+        Self { flow: Flow::new(WATER, fluid_solver::backend::pfem::flow::Control { tolerance: 1e-8, ..Default::default() }), cloud, walls, grains, time: 0.0 }
     }
 
     /// A window of some iterations with these grains at its end; what the last gave.
@@ -104,7 +104,7 @@ pub fn solved<const D: usize>(solution: &FlowSolution<D>) -> Solved<'_, D> {
         carrier: &solution.velocity,
         velocity: &solution.end_velocity,
         pressure: &solution.pressure,
-        implicitness: 0.5,
+        implicitness: solution.implicitness,
     }
 }
 
