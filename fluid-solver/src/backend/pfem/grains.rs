@@ -23,8 +23,6 @@ pub struct Solved<'a, const D: usize> {
     pub velocity: &'a [Vector<D>],
     /// p (Pa).
     pub pressure: &'a [f64],
-    /// θ: the equations hold on the mesh at x_n + θΔt v_m.
-    pub implicitness: f64,
 }
 
 /// The grains placed last, in the mesh of a cloud that moves while a step is computed.
@@ -206,7 +204,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             return;
         }
         self.carrier.copy_from_slice(solved.carrier);
-        self.move_mesh(cloud, solved.implicitness * step.length);
+        self.move_mesh(cloud, 0.5 * step.length);
         let change = solved.velocity.iter().zip(&cloud.velocity);
         let rate: Vec<Vector<D>> =
             change.map(|(new, old)| std::array::from_fn(|k| (new[k] - old[k]) / step.length)).collect();

@@ -33,7 +33,7 @@ impl<const D: usize, const N: usize> Tank<D, N> {
         let medium = Medium { density: WATER.density, viscosity: WATER.viscosity };
         let depth = if D == 2 { DEPTH } else { 1.0 };
         let grains = GrainsInCloud::new(medium, depth);
-        Self { flow: Flow::new(WATER, fluid_solver::backend::pfem::flow::Control { tolerance: 1e-8, ..Default::default() }), cloud, walls, grains, time: 0.0 }
+        Self { flow: flow(WATER, 1e-8), cloud, walls, grains, time: 0.0 }
     }
 
     /// A window of some iterations with these grains at its end; what the last gave.
@@ -100,12 +100,7 @@ impl<const D: usize, const N: usize> Tank<D, N> {
 }
 
 pub fn solved<const D: usize>(solution: &FlowSolution<D>) -> Solved<'_, D> {
-    Solved {
-        carrier: &solution.velocity,
-        velocity: &solution.end_velocity,
-        pressure: &solution.pressure,
-        implicitness: solution.implicitness,
-    }
+    Solved { carrier: &solution.velocity, velocity: &solution.end_velocity, pressure: &solution.pressure }
 }
 
 /// |rate − (body + boundary − drag − stress + explicit)| over the scale.
