@@ -12,6 +12,15 @@ use interface::ledger::FluidLedger;
 use interface::message::{Norms, Surface, TooLarge};
 use std::path::Path;
 
+/// Whether the fluid feels the grains.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Response {
+    /// It gives way to them and takes their reactions.
+    TwoWay,
+    /// It flows as if they were not there.
+    OneWay,
+}
+
 /// A window t_n → t_n + Δt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
@@ -164,6 +173,7 @@ pub trait FluidBackend: Send {
 /// What the backend refuses in the case or its mesh.
 pub fn of(case: &Case, two_way: bool) -> Result<Box<dyn FluidBackend>, FluidError> {
     let fluid = case.document.fluid.as_ref();
+    let response = if two_way { Response::TwoWay } else { Response::OneWay };
     match fluid.map(|fluid| (fluid, fluid.backend)) {
         Some((_, Backend::Imposed)) => match imposed::Imposed::of(&case.document) {
             Some(imposed) => Ok(Box::new(imposed)),
@@ -171,11 +181,8 @@ pub fn of(case: &Case, two_way: bool) -> Result<Box<dyn FluidBackend>, FluidErro
                 .error("fluid.field", "it is missing", "a field", "state velocity and pressure")
                 .into()),
         },
-        Some((fluid, Backend::Eulerian)) => {
-            let response = if two_way { eulerian::Response::TwoWay } else { eulerian::Response::OneWay };
-            eulerian::of(case, fluid, response)
-        }
-        Some((fluid, Backend::Pfem)) => pfem::of(case, fluid),
+        Some((fluid, Backend::Eulerian)) => eulerian::of(case, fluid, response),
+        Some((fluid, Backend::Pfem)) => pfem::of(case, fluid, response),
         None => Err(case.error("fluid", "it is missing", "a table", "add [fluid]").into()),
     }
 }

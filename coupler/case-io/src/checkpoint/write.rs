@@ -69,8 +69,12 @@ impl<'a> CheckpointWriter<'a> {
         };
         let metadata =
             self.metadata.map_err(|fault| inconsistent("metadata", fault, "what bincode can encode"))?;
-        let head =
-            Array { name: METADATA, element: ElementType::U8, count: metadata.len(), bytes: Cow::Owned(metadata) };
+        let head = Array {
+            name: METADATA,
+            element: ElementType::U8,
+            count: metadata.len(),
+            bytes: Cow::Owned(metadata),
+        };
         let parts: Vec<Array> = std::iter::once(head).chain(self.arrays).collect();
         for (i, part) in parts.iter().enumerate() {
             if parts[..i].iter().any(|earlier| earlier.name == part.name) {

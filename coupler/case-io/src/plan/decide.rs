@@ -128,8 +128,9 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
             walls(|shape| matches!(shape, WallShape::Cylinder(_) | WallShape::Sphere(_))),
         ),
         Part::TriangleWalls => {
-            let named_walls =
-                walls(|shape| !matches!(shape, WallShape::Plane(_) | WallShape::Cylinder(_) | WallShape::Sphere(_)));
+            let named_walls = walls(|shape| {
+                !matches!(shape, WallShape::Plane(_) | WallShape::Cylinder(_) | WallShape::Sphere(_))
+            });
             named("wall with polyline, stl, obj or mesh", named_walls)
         }
         Part::PeriodicWrap => {

@@ -1,8 +1,8 @@
 //! From a case to a flow.
 
-use super::backend::{Eulerian, Response};
+use super::backend::Eulerian;
 use super::flow::{Flow, Properties};
-use crate::backend::FluidBackend;
+use crate::backend::{FluidBackend, Response};
 use crate::boundary::{Boundaries, Condition, velocity_field};
 use crate::element::simplex::Vector;
 use crate::error::FluidError;
@@ -15,8 +15,12 @@ use case_io::document::{Case, Dimension, Fluid};
 /// A mesh or a boundary condition that is refused.
 pub fn of(case: &Case, fluid: &Fluid, response: Response) -> Result<Box<dyn FluidBackend>, FluidError> {
     match case.document.case.dimension {
-        Dimension::Two => Ok(Box::new(backend::<2, 3>(case, fluid, mesh::case::plane(case, fluid)?, response)?)),
-        Dimension::Three => Ok(Box::new(backend::<3, 4>(case, fluid, mesh::case::space(case, fluid)?, response)?)),
+        Dimension::Two => {
+            Ok(Box::new(backend::<2, 3>(case, fluid, mesh::case::plane(case, fluid)?, response)?))
+        }
+        Dimension::Three => {
+            Ok(Box::new(backend::<3, 4>(case, fluid, mesh::case::space(case, fluid)?, response)?))
+        }
     }
 }
 

@@ -2,13 +2,15 @@
 
 use super::cloud::Cloud;
 use super::flow::{Flow, FlowFault, FlowSolution, Forces};
+use super::grains::{GrainsInCloud, Solved};
 use super::remesh::TargetSize;
 use super::renewal::Renewal;
 use super::state::State;
 use super::wall::Wall;
-use crate::backend::{Attempt, FluidBackend, PointValue, Solution, Step};
+use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Step};
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
+use crate::grains::Medium;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use interface::frames::{GrainRow, ReactionRow, SampleRow};
 use interface::ledger::FluidLedger;
@@ -22,10 +24,12 @@ pub struct Setting<const D: usize> {
     pub walls: Vec<Wall<D>>,
     /// Target size of the cells.
     pub size: TargetSize,
-    /// Forces on it.
-    pub forces: Forces<D>,
-    /// ρ (kg/m³).
-    pub density: f64,
+    /// Gravity and body force (m/s²).
+    pub acceleration: Vector<D>,
+    /// What it is.
+    pub medium: Medium,
+    /// Whether it feels the grains.
+    pub response: Response,
     /// Depth of the slab in 2D, 1 in 3D (m).
     pub depth: f64,
     /// Its surface at the start: what grains may touch.
@@ -41,6 +45,7 @@ pub struct Pfem<const D: usize, const N: usize> {
     pub(super) state: State<D, N>,
     flow: Flow<D, N>,
     renewal: Box<dyn Renewal<D, N>>,
+    pub(super) grains: GrainsInCloud<D, N>,
     /// Of the iteration solved last in the open window.
     solution: Option<FlowSolution<D>>,
     /// Of the iteration before.
@@ -55,8 +60,9 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
         flow: Flow<D, N>,
         renewal: Box<dyn Renewal<D, N>>,
     ) -> Self {
-        let state = State::start(cloud, setting.density, &setting.forces.gravity);
-        Self { setting, state, flow, renewal, solution: None, iterate: None }
+        let state = State::start(cloud, setting.medium.density, &setting.acceleration);
+        let grains = GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len());
+        Self { setting, state, flow, renewal, grains, solution: None, iterate: None }
     }
 
     /// The fluid.
@@ -93,7 +99,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
         for (i, mass) in solution.mass.iter().map(|mass| depth * mass).enumerate() {
             for k in 0..D {
                 let rate = mass * (solution.end_velocity[i][k] - cloud.velocity[i][k]);
-                let body = step.length * mass * self.setting.forces.gravity[k];
+                let body = step.length * mass * self.setting.acceleration[k];
                 let boundary = step.length * depth * solution.reaction[i][k];
                 ledger.momentum[k] += mass * solution.end_velocity[i][k];
                 ledger.rate[k] += rate;
@@ -101,11 +107,18 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
                 ledger.boundary[k] += boundary;
                 ledger.scale += rate.abs() + body.abs() + boundary.abs();
             }
-            ledger.volume += mass / self.setting.density;
+            ledger.volume += mass / self.setting.medium.density;
             ledger.kinetic_energy += 0.5 * mass * dot(&solution.end_velocity[i], &solution.end_velocity[i]);
         }
+        self.grains.book(step, solved(solution), self.setting.response, &mut ledger);
         ledger
     }
+}
+
+/// A solution as grains feel it.
+fn solved<const D: usize>(solution: &FlowSolution<D>) -> Solved<'_, D> {
+    let FlowSolution { velocity, end_velocity, pressure, .. } = solution;
+    Solved { carrier: velocity, velocity: end_velocity, pressure }
 }
 
 /// The answer to a step that cannot be made: shorter, where that helps.
@@ -113,7 +126,9 @@ fn refusal(fault: FlowFault, step: Step) -> Result<Attempt, FluidError> {
     let reason = fault.to_string();
     match fault {
         FlowFault::Inverted { bound, .. } => Ok(Attempt::TooLarge(TooLarge { bound, reason })),
-        FlowFault::NotConverged { .. } => Ok(Attempt::TooLarge(TooLarge { bound: 0.5 * step.length, reason })),
+        FlowFault::NotConverged { .. } => {
+            Ok(Attempt::TooLarge(TooLarge { bound: 0.5 * step.length, reason }))
+        }
         fault => Err(fault.into()),
     }
 }
@@ -140,28 +155,37 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         self.flow.largest_step(&self.state.cloud)
     }
 
-    fn populate(&mut self, _time: f64, _grains: &[GrainRow]) -> Result<(), FluidError> {
+    fn populate(&mut self, _time: f64, grains: &[GrainRow]) -> Result<(), FluidError> {
+        self.grains.populate(&self.state.cloud, grains)?;
+        self.state.fluid_volume = self.state.books.volume.target - self.grains.wetted_volume();
         Ok(())
     }
 
     fn save(&mut self) {
         (self.solution, self.iterate) = (None, None);
+        self.grains.forget(&self.state.cloud);
     }
 
     fn restore(&mut self) {
         self.iterate = self.solution.take();
+        if let Some(solution) = &self.iterate {
+            self.grains.remember(solved(solution));
+        }
     }
 
-    fn project(&mut self, _step: Step, _grains: &[GrainRow]) -> Result<(), FluidError> {
-        Ok(())
+    fn project(&mut self, step: Step, grains: &[GrainRow]) -> Result<(), FluidError> {
+        self.grains.project(&self.state.cloud, step, grains)
     }
 
-    fn solve(&mut self, step: Step, _reactions: &[ReactionRow]) -> Result<Attempt, FluidError> {
-        let Setting { walls, forces, .. } = &self.setting;
-        let solution = match self.flow.solve(&self.state.cloud, walls, step, forces) {
+    fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Attempt, FluidError> {
+        let Setting { walls, acceleration, response, .. } = &self.setting;
+        let suspension = self.grains.react(step, reactions).filter(|_| *response == Response::TwoWay);
+        let forces = Forces { gravity: *acceleration, grains: suspension };
+        let solution = match self.flow.solve(&self.state.cloud, walls, step, &forces) {
             Ok(solution) => solution,
             Err(fault) => return refusal(fault, step),
         };
+        self.grains.feel(&self.state.cloud, step, solved(&solution));
         let answer = Solution {
             norms: self.norms(&solution),
             ledger: self.ledger(step, &solution),
@@ -171,21 +195,26 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         Ok(Attempt::Solved(answer))
     }
 
-    fn prepare_samples(&mut self) {}
+    fn prepare_samples(&mut self) {
+        self.grains.prepare_samples();
+    }
 
-    fn sample(&self, _row: usize) -> SampleRow {
-        SampleRow::default()
+    fn sample(&self, row: usize) -> SampleRow {
+        self.grains.sample(row)
     }
 
     fn commit(&mut self, step: Step) -> Result<(), FluidError> {
         let Some(solution) = self.solution.take() else { return Ok(()) };
-        let State { cloud, books, given, counts } = &mut self.state;
+        let State { cloud, books, given, counts, fluid_volume } = &mut self.state;
         let work = solution.reaction.iter().zip(&solution.velocity).map(|(force, v)| dot(force, v));
         *given += step.length * work.sum::<f64>();
         solution.advance(cloud, step);
-        let Setting { walls, size, .. } = &self.setting;
+        let Setting { walls, size, response, .. } = &self.setting;
+        if *response == Response::TwoWay {
+            books.volume.target = *fluid_volume + self.grains.wetted_volume();
+        }
         counts.add(&self.renewal.renew(cloud, walls, step.end(), size, books)?);
-        Ok(())
+        self.grains.begin(cloud)
     }
 
     fn at(&self, _time: f64, point: [f64; 3]) -> Option<PointValue> {
@@ -201,7 +230,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
     }
 
     fn statistics(&self, _time: f64) -> Vec<(&'static str, f64)> {
-        super::output::statistics(&self.state, &self.setting)
+        super::output::statistics(&self.state, &self.setting, &self.grains)
     }
 
     fn counters(&self) -> Vec<(String, u64)> {
@@ -209,7 +238,13 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
     }
 
     fn write_frame(&self, stem: &Path, compress: bool) -> Result<Option<PathBuf>, FluidError> {
-        super::output::write_frame(&self.state.cloud, &stem.with_extension("vtu"), compress).map(Some)
+        super::output::write_frame(
+            &self.state.cloud,
+            self.grains.void_fraction(),
+            &stem.with_extension("vtu"),
+            compress,
+        )
+        .map(Some)
     }
 
     fn save_checkpoint<'a>(&'a self, writer: CheckpointWriter<'a>) -> CheckpointWriter<'a> {
@@ -218,6 +253,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
 
     fn load_checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), FluidError> {
         self.state = super::checkpoint::load(checkpoint)?;
+        self.grains.begin(&self.state.cloud)?;
         self.save();
         Ok(())
     }

@@ -39,7 +39,8 @@ impl<const D: usize, const N: usize> Body<D, N> {
     /// More nodes than can be counted.
     pub fn of_box(lower: Vector<D>, upper: Vector<D>, size: f64) -> Result<Self, MeshError> {
         let cells = std::array::from_fn(|k| ((upper[k] - lower[k]) / size - 1e-9).ceil().max(1.0) as usize);
-        let mesh: Mesh<D, N> = BoxMesh { lower, upper, cells, periodic: [false; D], jitter: None }.generate()?;
+        let mesh: Mesh<D, N> =
+            BoxMesh { lower, upper, cells, periodic: [false; D], jitter: None }.generate()?;
         Ok(Self::of_mesh(&mesh))
     }
 
@@ -104,6 +105,7 @@ impl<const D: usize, const N: usize> Body<D, N> {
             place: self.place,
             cells: self.cells,
             neighbours: self.neighbours,
+            struck: false,
         }
     }
 }

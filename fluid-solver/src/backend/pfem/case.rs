@@ -3,14 +3,15 @@
 use super::backend::{Pfem, Setting};
 use super::body::Body;
 use super::cloud::Cloud;
-use super::flow::{self, Control, Flow, Forces};
+use super::flow::{self, Control, Flow};
 use super::remesh::{Recognition, Remesher, TargetSize};
 use super::renewal::Renewal;
 use super::wall::{Wall, refuse_gaps, walls};
-use crate::backend::FluidBackend;
+use crate::backend::{FluidBackend, Response};
 use crate::boundary::velocity_field;
 use crate::element::simplex::{Vector, distance, longest_edge, volume_and_gradients};
 use crate::error::FluidError;
+use crate::grains::Medium;
 use crate::mesh::bins::{Bins, bounds};
 use crate::mesh::{self, Mesh};
 use case_io::document::{self, Case, Dimension, Fluid, MeshSource, Region};
@@ -26,7 +27,7 @@ const SPARSE: f64 = 2.5;
 ///
 /// # Errors
 /// A mesh, a body or a wall that is refused.
-pub fn of(case: &Case, fluid: &Fluid) -> Result<Box<dyn FluidBackend>, FluidError> {
+pub fn of(case: &Case, fluid: &Fluid, response: Response) -> Result<Box<dyn FluidBackend>, FluidError> {
     let has_mesh = fluid.mesh.is_some();
     match case.document.case.dimension {
         Dimension::Two => {
@@ -35,7 +36,13 @@ pub fn of(case: &Case, fluid: &Fluid) -> Result<Box<dyn FluidBackend>, FluidErro
                 document::Recognition::MovedDomain => Recognition::MovedDomain,
                 document::Recognition::AlphaShape => Recognition::AlphaShape { alpha: ALPHA },
             };
-            Ok(Box::new(backend::<2, 3>(case, fluid, mesh, Box::new(Remesher::<2, 3>::new(recognition)))?))
+            Ok(Box::new(backend::<2, 3>(
+                case,
+                fluid,
+                mesh,
+                Box::new(Remesher::<2, 3>::new(recognition)),
+                response,
+            )?))
         }
         Dimension::Three => {
             let found = "backend \"pfem\" finds its mesh anew in 2D only";
@@ -49,6 +56,7 @@ fn backend<const D: usize, const N: usize>(
     fluid: &Fluid,
     mesh: Option<Mesh<D, N>>,
     renewal: Box<dyn Renewal<D, N>>,
+    response: Response,
 ) -> Result<Pfem<D, N>, FluidError> {
     let table = &case.document.case;
     let stated = fluid.pfem.as_ref().and_then(|pfem| pfem.size).map(|size| size.si());
@@ -62,8 +70,9 @@ fn backend<const D: usize, const N: usize>(
     let setting = Setting {
         walls,
         size: TargetSize::Constant(size),
-        forces: Forces { gravity: std::array::from_fn(|k| gravity[k] + body_force[k]) },
-        density: fluid.density.si(),
+        acceleration: std::array::from_fn(|k| gravity[k] + body_force[k]),
+        response,
+        medium: Medium { density: fluid.density.si(), viscosity: fluid.viscosity.si() },
         depth: if D == 2 { table.depth() } else { 1.0 },
         surface: mesh.as_ref().map(Mesh::surface),
     };
@@ -76,7 +85,9 @@ fn backend<const D: usize, const N: usize>(
 /// The body that the mesh is, its top where the case states it.
 fn start<const D: usize, const N: usize>(fluid: &Fluid, mesh: &Mesh<D, N>) -> Body<D, N> {
     let body = Body::of_mesh(mesh);
-    let Some(MeshSource::Box(stated)) = fluid.mesh.as_ref().and_then(|mesh| mesh.source()) else { return body };
+    let Some(MeshSource::Box(stated)) = fluid.mesh.as_ref().and_then(|mesh| mesh.source()) else {
+        return body;
+    };
     let Some(surface) = &stated.surface else { return body };
     let (lower, upper) = (stated.lower.to_array::<D>(), stated.upper.to_array::<D>());
     let height = |x: &Vector<D>| {
@@ -131,16 +142,19 @@ fn refuse_unfit<const D: usize, const N: usize>(
         }
     }
     let edge = |cell: &[u32; N]| (longest_edge(&body.vertices(cell)), cell[0]);
-    let Some((longest, node)) = body.cells.iter().map(edge).reduce(|a, b| if b.0 > a.0 { b } else { a }) else {
-        return Err(case.error("fluid", "it has a volume of 0", "", "add [fluid.mesh] or [[fluid.body]]").into());
+    let Some((longest, node)) = body.cells.iter().map(edge).reduce(|a, b| if b.0 > a.0 { b } else { a })
+    else {
+        return Err(case
+            .error("fluid", "it has a volume of 0", "", "add [fluid.mesh] or [[fluid.body]]")
+            .into());
     };
     if longest > SPARSE * size {
-        let found = format!(
-            "{size:.3e} m, but at {:?} m nodes are {longest:.3e} m apart",
-            body.place[node as usize]
-        );
+        let found =
+            format!("{size:.3e} m, but at {:?} m nodes are {longest:.3e} m apart", body.place[node as usize]);
         let allowed = format!("{:.3e} m or more", longest / SPARSE);
-        return Err(case.error("fluid.pfem.size", found, allowed, "make the mesh finer, or its cells alike").into());
+        return Err(case
+            .error("fluid.pfem.size", found, allowed, "make the mesh finer, or its cells alike")
+            .into());
     }
     match twins(&body.place, TOUCHING * size) {
         Some(x) => {
@@ -172,7 +186,8 @@ fn touch<const D: usize, const N: usize>(
         for (index, wall) in walls.iter().enumerate() {
             let gap = wall.touch(x, 0.0).gap;
             if gap < -TOUCHING * size {
-                let found = format!("the fluid at {x:?} m is {:.3e} m behind the wall \"{}\"", -gap, wall.name);
+                let found =
+                    format!("the fluid at {x:?} m is {:.3e} m behind the wall \"{}\"", -gap, wall.name);
                 let advice = "move the wall or the fluid, or turn the wall round";
                 return Err(case.error("fluid", found, "fluid on the walls' own side", advice).into());
             }

@@ -13,8 +13,8 @@ pub fn save<'a, const D: usize, const N: usize>(
     state: &'a State<D, N>,
     writer: CheckpointWriter<'a>,
 ) -> CheckpointWriter<'a> {
-    let State { cloud, books, given, counts } = state;
-    let Cloud { place, velocity, pressure, contacts, drop, birth, cells, neighbours } = cloud;
+    let State { cloud, books, given, counts, fluid_volume } = state;
+    let Cloud { place, velocity, pressure, contacts, drop, birth, cells, neighbours, struck } = cloud;
     let contacts: Vec<u32> = contacts.iter().map(|contacts| contacts.bits()).collect();
     let counts = counts.named().map(|(_, count)| count);
     writer
@@ -26,8 +26,10 @@ pub fn save<'a, const D: usize, const N: usize>(
         .array("birth", birth)
         .array("cells", cells.as_flattened())
         .array("neighbours", neighbours.as_flattened())
+        .made("struck", &[u32::from(*struck)])
         .made("books", &written(books))
         .made("given", &[*given])
+        .made("fluid-volume", &[*fluid_volume])
         .made("counts", &counts)
 }
 
@@ -47,6 +49,7 @@ pub fn load<const D: usize, const N: usize>(checkpoint: &Checkpoint) -> Result<S
         birth: checkpoint.array("birth")?,
         cells: by_rows(checkpoint.array("cells")?),
         neighbours: by_rows(checkpoint.array("neighbours")?),
+        struck: checkpoint.array::<u32>("struck")? == [1],
     };
     let found = |name: &'static str, found: usize| FluidError::OtherMesh { name, found, nodes };
     let lengths = [
@@ -68,6 +71,7 @@ pub fn load<const D: usize, const N: usize>(checkpoint: &Checkpoint) -> Result<S
         cloud,
         books: read(&books).ok_or_else(|| found("books", books.len()))?,
         given: checkpoint.array("given")?.first().copied().unwrap_or_default(),
+        fluid_volume: checkpoint.array("fluid-volume")?.first().copied().unwrap_or_default(),
         counts: Counts { closed, filled, broken, released, absorbed },
     })
 }
@@ -79,8 +83,18 @@ fn by_rows<T: Copy, const K: usize>(flat: Vec<T>) -> Vec<[T; K]> {
 /// The accounts of the books, in the order in which they are written.
 fn accounts<const D: usize>(books: &mut Books<D>) -> Vec<&mut Account> {
     let Books { volume, energy: EnergyBooks { kinetic, moment } } = books;
-    let VolumeBooks { target: _, cells: _, drops: _, flow, management, overlap, merging, separation, absorption, correction } =
-        volume;
+    let VolumeBooks {
+        target: _,
+        cells: _,
+        drops: _,
+        flow,
+        management,
+        overlap,
+        merging,
+        separation,
+        absorption,
+        correction,
+    } = volume;
     let of_volume = [flow, management, overlap, merging, separation, absorption, correction];
     of_volume.into_iter().chain([kinetic]).chain(moment).collect()
 }

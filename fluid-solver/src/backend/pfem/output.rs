@@ -2,6 +2,7 @@
 
 use super::backend::Setting;
 use super::cloud::Cloud;
+use super::grains::GrainsInCloud;
 use super::state::State;
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
@@ -12,15 +13,17 @@ use std::path::{Path, PathBuf};
 pub fn statistics<const D: usize, const N: usize>(
     state: &State<D, N>,
     setting: &Setting<D>,
+    grains: &GrainsInCloud<D, N>,
 ) -> Vec<(&'static str, f64)> {
     const MOMENTUM: [&str; 3] = ["momentum-x[kg m/s]", "momentum-y[kg m/s]", "momentum-z[kg m/s]"];
-    const REACH: [[&str; 2]; 3] = [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
+    const REACH: [[&str; 2]; 3] =
+        [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
     let (cloud, books, depth) = (&state.cloud, &state.books.volume, setting.depth);
-    let (kinetic, potential) = state.energies(setting.density, &setting.forces.gravity);
+    let (kinetic, potential) = state.energies(setting.medium.density, &setting.acceleration);
     let remeshing = &state.books.energy;
-    let by_remeshing = setting.density
+    let by_remeshing = setting.medium.density
         * (remeshing.kinetic.sum
-            - (0..D).map(|k| setting.forces.gravity[k] * remeshing.moment[k].sum).sum::<f64>());
+            - (0..D).map(|k| setting.acceleration[k] * remeshing.moment[k].sum).sum::<f64>());
     let volume = books.cells + books.drops;
     let mut found = vec![
         ("volume[m^3]", depth * volume),
@@ -42,7 +45,7 @@ pub fn statistics<const D: usize, const N: usize>(
     ];
     let mass = lumped(cloud);
     let momentum = |k: usize| mass.iter().zip(&cloud.velocity).map(|(mass, v)| mass * v[k]).sum::<f64>();
-    found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.density * momentum(k))));
+    found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.medium.density * momentum(k))));
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
     for (k, [lowest, highest]) in REACH.into_iter().take(D).enumerate() {
         let reach = |sign: f64| sign * largest(&mut cloud.place.iter().map(|x| sign * x[k]));
@@ -53,6 +56,8 @@ pub fn statistics<const D: usize, const N: usize>(
         ("speed-max[m/s]", largest(&mut cloud.velocity.iter().map(|v| dot(v, v).sqrt()))),
         ("pressure-min[Pa]", -largest(&mut cloud.pressure.iter().map(|p| -p))),
         ("pressure-max[Pa]", largest(&mut cloud.pressure.iter().copied())),
+        ("grains-volume[m^3]", depth * grains.wetted_volume()),
+        ("void-fraction-min[-]", -largest(&mut grains.void_fraction().iter().map(|void| -void))),
         ("nodes[-]", cloud.place.len() as f64),
         ("cells[-]", cloud.cells.len() as f64),
         ("drop-count[-]", drops as f64),
@@ -72,12 +77,13 @@ fn lumped<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Vec<f64> {
     lumped
 }
 
-/// Writes nodes and cells with velocity, pressure and the volume of drops, which belong to no cell, to a VTU file.
+/// Writes nodes and cells with velocity, pressure, void fraction and the volume of drops, which belong to no cell, to a VTU file.
 ///
 /// # Errors
 /// The disk's.
 pub fn write_frame<const D: usize, const N: usize>(
     cloud: &Cloud<D, N>,
+    void_fraction: &[f64],
     path: &Path,
     compress: bool,
 ) -> Result<PathBuf, FluidError> {
@@ -88,6 +94,7 @@ pub fn write_frame<const D: usize, const N: usize>(
         point_fields: &[
             Field::vector("velocity", velocity),
             Field::scalar("pressure", &cloud.pressure),
+            Field::scalar("void_fraction", void_fraction),
             Field::scalar("drop", &cloud.drop),
         ],
         cell_fields: &[],

@@ -29,6 +29,6 @@ impl Renewal<2, 3> for Remesher<2, 3> {
         size: &TargetSize,
         books: &mut Books<2>,
     ) -> Result<Events, delaunay::Error> {
-        Ok(self.remesh(cloud, walls, time, size, books))
+        self.remesh(cloud, walls, time, size, books)
     }
 }

@@ -13,6 +13,8 @@ pub struct State<const D: usize, const N: usize> {
     pub books: Books<D>,
     /// Energy (J per m of depth in 2D): what it was at the start, and what walls and the body force have given since.
     pub given: f64,
+    /// Volume of the fluid without the grains in it (m³; m² in 2D): what the cells and drops hold less what grains take.
+    pub fluid_volume: f64,
     /// What happened to the surface.
     pub counts: Counts,
 }
@@ -58,7 +60,8 @@ impl<const D: usize, const N: usize> State<D, N> {
     /// A fluid at its start.
     pub fn start(cloud: Cloud<D, N>, density: f64, acceleration: &Vector<D>) -> Self {
         let books = Books::start(&cloud);
-        let mut state = Self { cloud, books, ..Self::default() };
+        let fluid_volume = books.volume.target;
+        let mut state = Self { cloud, books, fluid_volume, ..Self::default() };
         let (kinetic, potential) = state.energies(density, acceleration);
         state.given = kinetic + potential;
         state

@@ -123,7 +123,12 @@ fn boundary(fluid: &Fluid, boundary: &Boundary, index: usize, rules: &Rules) -> 
     }
     if !moves && kind == BoundaryKind::FreeSurface {
         let found = "the mesh of backend \"eulerian\" stays where it is and has no free surface";
-        return rules.refuse(&key("kind"), found, "no-slip, slip, inlet, outlet, moving-wall", "set backend = \"pfem\"");
+        return rules.refuse(
+            &key("kind"),
+            found,
+            "no-slip, slip, inlet, outlet, moving-wall",
+            "set backend = \"pfem\"",
+        );
     }
     for name in ["velocity", "speed", "profile", "pressure"] {
         if !used.contains(&name) {

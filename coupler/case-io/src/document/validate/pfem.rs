@@ -19,7 +19,8 @@ pub(super) fn check(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
     let size = fluid.pfem.as_ref().and_then(|pfem| pfem.size);
     rules.optional_positive("fluid.pfem.size", size)?;
     if source.is_none() {
-        rules.required("fluid.pfem.size", "without [fluid.mesh] nothing else says how fine the bodies are")?;
+        rules
+            .required("fluid.pfem.size", "without [fluid.mesh] nothing else says how fine the bodies are")?;
     }
     fluid.body.iter().enumerate().try_for_each(|(k, stated)| body(fluid, stated, k, rules))
 }
@@ -112,12 +113,23 @@ mod tests {
     fn a_body_has_one_shape_and_a_size() {
         let with = |body: &str| format!("[[fluid.body]]\n{body}\n[fluid.mesh]");
         let rows = [
-            (with("velocity = [\"1 m/s\", \"0 m/s\"]"), "case.toml:11: fluid.body[0]: none of these keys is given; allowed: exactly one of box, sphere"),
-            (with("sphere = { centre = [\"1 m\", \"2 m\"], radius = \"0 m\" }"), "case.toml:12: fluid.body[0].sphere.radius: found 0 m; allowed: more than 0 m"),
+            (
+                with("velocity = [\"1 m/s\", \"0 m/s\"]"),
+                "case.toml:11: fluid.body[0]: none of these keys is given; allowed: exactly one of box, sphere",
+            ),
+            (
+                with("sphere = { centre = [\"1 m\", \"2 m\"], radius = \"0 m\" }"),
+                "case.toml:12: fluid.body[0].sphere.radius: found 0 m; allowed: more than 0 m",
+            ),
         ];
         for (to, message) in &rows {
             assert_refusals(TANK, &[("[fluid.mesh]", to, message)]);
         }
-        document(&TANK.replace("[fluid.mesh]", &with("sphere = { centre = [\"1 m\", \"2 m\"], radius = \"0.2 m\" }")));
+        document(
+            &TANK.replace(
+                "[fluid.mesh]",
+                &with("sphere = { centre = [\"1 m\", \"2 m\"], radius = \"0.2 m\" }"),
+            ),
+        );
     }
 }

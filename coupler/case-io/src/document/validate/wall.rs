@@ -115,7 +115,11 @@ fn holds_fluid(
         rules.refuse(&format!("{table}.{key}"), format_args!("{found} cannot hold the fluid"), allowed, "")
     };
     if wall.cylinder.as_ref().is_some_and(|cylinder| cylinder.length.is_some()) {
-        return refuse("cylinder.length", "a shell, which has two sides,", "a cylinder without length, stl, obj");
+        return refuse(
+            "cylinder.length",
+            "a shell, which has two sides,",
+            "a cylinder without length, stl, obj",
+        );
     }
     if wall.mesh.is_some() {
         return refuse("mesh", "a boundary of its own mesh", "the boundary itself in [[fluid.boundary]]");
@@ -149,7 +153,12 @@ fn polyline(rules: &Rules, table: &str, line: &Polyline) -> Result<(), CaseError
 
 fn triangles(rules: &Rules, table: &str, file: &SurfaceFile) -> Result<(), CaseError> {
     if rules.dimension == Dimension::Two {
-        return rules.refuse(table, "triangles are no walls in 2D", "", "use plane, sphere, polyline or mesh");
+        return rules.refuse(
+            table,
+            "triangles are no walls in 2D",
+            "",
+            "use plane, sphere, polyline or mesh",
+        );
     }
     rules.number(&format!("{table}.scale"), file.scale, file.scale > 0.0, "more than 0")
 }

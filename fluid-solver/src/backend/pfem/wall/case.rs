@@ -52,7 +52,9 @@ pub fn walls<const D: usize, const N: usize>(
     if walls.len() > Contacts::MOST {
         let found = format!("the fluid's walls have {} parts between concave edges", walls.len());
         let allowed = format!("at most {}", Contacts::MOST);
-        return Err(case.error("fluid.boundary", found, allowed, "simplify them, or round their edges").into());
+        return Err(case
+            .error("fluid.boundary", found, allowed, "simplify them, or round their edges")
+            .into());
     }
     Ok(walls)
 }
@@ -77,10 +79,13 @@ fn flat<const D: usize, const N: usize>(
     let (lower, upper) = mesh.bounds();
     let near = FLAT * distance(&lower, &upper);
     let gap = |x: &Vector<D>| plane.touch(x).gap;
-    let advice = "state the vessel as a [[wall]] and name that; the boundary of the mesh is then a free-surface";
+    let advice =
+        "state the vessel as a [[wall]] and name that; the boundary of the mesh is then a free-surface";
     let is_flat = faces().flat_map(|face| mesh.face_vertices(face)).all(|x| gap(&x).abs() <= near);
     if !is_flat {
-        return Err(case.error(key, format!("the boundary \"{name}\" is not flat"), "flat ones", advice).into());
+        return Err(case
+            .error(key, format!("the boundary \"{name}\" is not flat"), "flat ones", advice)
+            .into());
     }
     match mesh.nodes().iter().find(|x| gap(x) < -near) {
         Some(x) => {
@@ -96,10 +101,9 @@ fn of_table<const D: usize>(case: &Case, index: usize, grip: Grip) -> Result<Vec
     let stated = &case.document.wall[index];
     let key = |key: &str| format!("wall[{index}].{key}");
     let shapes = match stated.shape() {
-        Some(WallShape::Plane(plane)) => vec![Shape::Plane(Plane {
-            point: plane.point.to_array(),
-            normal: unit_vector(&plane.normal),
-        })],
+        Some(WallShape::Plane(plane)) => {
+            vec![Shape::Plane(Plane { point: plane.point.to_array(), normal: unit_vector(&plane.normal) })]
+        }
         Some(WallShape::Cylinder(cylinder)) => vec![Shape::Round(Round {
             centre: cylinder.point.to_array(),
             axis: unit_vector(&cylinder.axis),
@@ -116,7 +120,9 @@ fn of_table<const D: usize>(case: &Case, index: usize, grip: Grip) -> Result<Vec
         Some(WallShape::Obj(file)) => shapes(of_file(case, &key("obj"), Format::Obj, file)?),
         Some(WallShape::Mesh(_)) | None => {
             let allowed = "plane, cylinder, sphere, polyline, stl, obj";
-            return Err(case.error(&format!("wall[{index}]"), "it cannot hold the fluid", allowed, "").into());
+            return Err(case
+                .error(&format!("wall[{index}]"), "it cannot hold the fluid", allowed, "")
+                .into());
         }
     };
     let motion = stated.motion.as_ref().map(|stated| motion(case, &key("motion"), stated)).transpose()?;

@@ -30,12 +30,10 @@ impl<const D: usize> Round<D> {
     }
 
     fn any_normal(&self) -> Vector<D> {
-        let flattest = (1..D).fold(0, |least, k| {
-            if self.axis[k].abs() < self.axis[least].abs() { k } else { least }
-        });
-        let across: Vector<D> = std::array::from_fn(|k| {
-            f64::from(u8::from(k == flattest)) - self.axis[flattest] * self.axis[k]
-        });
+        let flattest =
+            (1..D).fold(0, |least, k| if self.axis[k].abs() < self.axis[least].abs() { k } else { least });
+        let across: Vector<D> =
+            std::array::from_fn(|k| f64::from(u8::from(k == flattest)) - self.axis[flattest] * self.axis[k]);
         let length = dot(&across, &across).sqrt();
         across.map(|c| c / length)
     }
