@@ -25,6 +25,9 @@ const ITERATIONS: [usize; 2] = [40, 400];
 const PASSES: u64 = 20;
 /// What a linear solve leaves of the residual that it began with, at most: the geometry changes after it anyway.
 const FORCING: f64 = 0.02;
+/// Least θ with grains: the divergence of v_m follows them from step to step, and the middle of a step would turn what it
+/// leaves of the last one round for ever.
+const WITH_GRAINS: f64 = 0.6;
 /// Residuals below this share of the sizes of their terms are round-off.
 const ROUND_OFF: f64 = 2e-15;
 
@@ -135,11 +138,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         &self.fluid
     }
 
-    /// Takes another θ from the next step on.
-    pub fn set_implicitness(&mut self, implicitness: f64) {
-        self.control.implicitness = implicitness;
-    }
-
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
     pub fn largest_step(&self, cloud: &Cloud<D, N>) -> f64 {
         self.first_breach(cloud, &cloud.velocity, f64::INFINITY).map_or(f64::INFINITY, |(_, time)| time)
@@ -169,8 +167,12 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         forces: &Forces<'_, D>,
     ) -> Result<FlowSolution<D>, FlowFault> {
         let start = Start { cloud, walls, step, forces };
-        // The middle of a step would turn the part of v round that a blow takes away.
-        self.implicitness = if cloud.struck { 1.0 } else { self.control.implicitness };
+        self.implicitness = match &forces.grains {
+            // The middle of a step would turn the part of v round that a blow takes away.
+            _ if cloud.struck => 1.0,
+            Some(_) => self.control.implicitness.max(WITH_GRAINS),
+            None => self.control.implicitness,
+        };
         let nodes = cloud.place.len();
         let mut mesh = match self.mesh.take() {
             Some(mesh) if mesh.0.is_of(nodes, &cloud.cells) => mesh,
@@ -226,7 +228,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let scale = self.volume_scale(start);
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
-            let implicitness = self.control.implicitness;
+            let implicitness = self.implicitness;
             let Self { assembly, excess, porous, contact, right, increment, rows, krylov, .. } = self;
             let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
@@ -301,7 +303,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         self.assembly.place(topology, place, inertia, viscosity);
         if let Some(suspension) = &forces.grains {
             let cells = &self.assembly.cells;
-            let implicitness = self.control.implicitness;
+            let implicitness = self.implicitness;
             Suspended::fill(suspension, implicitness, topology.cells(), cells, &mut self.porous);
             self.assembly.share_volume(topology, &self.porous);
         }
@@ -310,7 +312,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             *e = std::array::from_fn(|k| inertia * (v[k] - before[k]) - density * forces.gravity[k]);
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);
-        let grains = start.suspended(&self.porous, self.control.implicitness);
+        let grains = start.suspended(&self.porous, self.implicitness);
         let grains = grains.map(|grains| (grains, Part::Affine));
         let fields = Fields { velocity, pressure, excess: &self.excess, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
@@ -325,7 +327,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// Rows of volume times (ρ/(θΔt) + d/(θV)) and the spacing have the size of forces (N s/m³).
     fn volume_scale(&self, start: Start<'_, D, N>) -> f64 {
         let (nodes, volumes) = (start.cloud.place.len(), vector::sum(&self.assembly.volumes));
-        let drag = start.suspended(&self.porous, self.control.implicitness).map_or(0.0, |grains| {
+        let drag = start.suspended(&self.porous, self.implicitness).map_or(0.0, |grains| {
             let resistance: f64 = (0..nodes).map(|node| grains.resistance(node)).sum();
             resistance / volumes
         });
@@ -343,7 +345,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     ) -> (f64, f64) {
         let inertia = self.inertia(start.step);
         let weight = self.fluid.density * dot(&start.forces.gravity, &start.forces.gravity).sqrt();
-        let implicitness = self.control.implicitness;
+        let implicitness = self.implicitness;
         let Self { assembly, porous, right, .. } = self;
         let grains = start.suspended(porous, implicitness);
         let (momentum, force) = right.split_at_mut(velocity.len());
@@ -431,7 +433,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             contacts: self.contact.touched.clone(),
             reaction,
             mass,
-            implicitness: self.control.implicitness,
+            implicitness: self.implicitness,
             iterations: progress.iterations,
             passes: progress.passes,
             residuals: progress.residuals,
