@@ -1,4 +1,5 @@
 //! Claims about `pfem`.
 
 mod flow;
+mod space;
 mod support;

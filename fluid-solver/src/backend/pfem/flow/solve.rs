@@ -349,8 +349,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let mut reaction = vec![[0.0; D]; mass.len()];
         for node in 0..mass.len() {
             let (before, middle) = (&cloud.velocity[node], &velocity[node]);
-            let change: Vector<D> =
-                std::array::from_fn(|k| (middle[k] - before[k]) / self.implicitness);
+            let change: Vector<D> = std::array::from_fn(|k| (middle[k] - before[k]) / self.implicitness);
             let end = &mut end_velocity[node];
             *end = moved(end, 1.0, &change);
             if is_free(node) {

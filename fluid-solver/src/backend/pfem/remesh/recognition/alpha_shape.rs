@@ -3,8 +3,8 @@
 use super::super::draft::{Draft, circumradius};
 use super::super::tessellation::Tessellation;
 use super::Predicate;
-use delaunay::Error;
 use crate::backend::pfem::cloud::Cloud;
+use delaunay::Error;
 
 /// R ≤ α h.
 pub struct AlphaShape {

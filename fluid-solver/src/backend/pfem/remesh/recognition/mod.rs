@@ -6,8 +6,8 @@ mod moved_domain;
 
 use super::draft::Draft;
 use super::tessellation::Tessellation;
-use delaunay::Error;
 use crate::backend::pfem::cloud::Cloud;
+use delaunay::Error;
 
 /// The rule.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
