@@ -25,6 +25,8 @@ const ITERATIONS: [usize; 2] = [40, 400];
 const PASSES: u64 = 20;
 /// What a linear solve leaves of the residual that it began with, at most: the geometry changes after it anyway.
 const FORCING: f64 = 0.02;
+/// A time after all others (s) whose third power is a number.
+const NEVER: f64 = 1e60;
 /// Residuals below this share of the sizes of their terms are round-off.
 const ROUND_OFF: f64 = 2e-15;
 
@@ -139,7 +141,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
     pub fn largest_step(&self, cloud: &Cloud<D, N>) -> f64 {
-        self.first_breach(cloud, &cloud.velocity, f64::INFINITY).map_or(f64::INFINITY, |(_, time)| time)
+        self.first_breach(cloud, &cloud.velocity, NEVER).map_or(f64::INFINITY, |(_, time)| time)
     }
 
     /// The cell that leaves its bounds first, and when.
