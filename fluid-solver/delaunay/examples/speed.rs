@@ -1,64 +1,54 @@
-//! Speed of triangulation in CPU seconds of one thread: cells per second over kinds and numbers of points.
+//! Speed of triangulation: CPU seconds of one thread and cells per second over kinds and numbers of points, in the plane
+//! beside `spade`. The first call takes its memory from the system, the second reuses it.
+//!
+//! `cargo run --release -p delaunay --example speed`
 
-use delaunay::{Delaunay, check};
-use std::time::Instant;
+use delaunay::Delaunay;
+use spade::{DelaunayTriangulation, Point2, Triangulation};
 
+#[path = "../tests/delaunay/clouds.rs"]
+#[allow(dead_code)]
+mod clouds;
+
+#[allow(clippy::print_stdout)]
 fn main() {
-    let checked = std::env::args().any(|a| a == "check");
-    for n in [10_000, 100_000, 1_000_000].into_iter().filter(|n| !checked || *n < 1_000_000) {
-        run::<3, 4>("random", &random(n), checked);
+    for count in [10_000, 100_000, 1_000_000] {
+        println!("3D random {count:>13} {}", measure::<3, 4>(&clouds::random(count)));
     }
-    run::<3, 4>("grid 22³", &grid(22, 0.0), checked);
-    run::<3, 4>("grid 46³", &grid(46, 0.0), checked);
-    run::<3, 4>("grid 46³ 1%", &grid(46, 0.01), checked);
-    for n in [10_000, 100_000, 1_000_000].into_iter().filter(|n| !checked || *n < 1_000_000) {
-        run::<2, 3>("random", &random(n), checked);
+    for (side, noise) in [(22, 0.0), (46, 0.0), (46, 0.01)] {
+        println!("3D grid {side}³, moved {noise:<4} {}", measure::<3, 4>(&clouds::grid(side, noise)));
     }
-    run::<2, 3>("grid 316²", &grid(316, 0.0), checked);
+    for count in [10_000, 100_000, 1_000_000] {
+        let points = clouds::random(count);
+        println!("2D random {count:>13} {} {}", measure::<2, 3>(&points), beside(&points));
+    }
+    let points = clouds::grid(316, 0.0);
+    println!("2D grid 316², moved 0   {} {}", measure::<2, 3>(&points), beside(&points));
 }
 
-fn grid<const D: usize>(side: usize, noise: f64) -> Vec<[f64; D]> {
-    let mut r = Random(7);
-    (0..side.pow(D as u32))
-        .map(|mut i| {
-            std::array::from_fn(|_| {
-                let k = i % side;
-                i /= side;
-                (k as f64 + noise * (r.next() - 0.5)) / (side - 1) as f64
-            })
-        })
-        .collect()
-}
-fn random<const D: usize>(n: usize) -> Vec<[f64; D]> {
-    let mut r = Random(1);
-    (0..n).map(|_| std::array::from_fn(|_| r.next())).collect()
-}
-struct Random(u64);
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
-fn cpu() -> f64 {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    text.split(' ').next().and_then(|t| t.parse::<f64>().ok()).unwrap_or(0.0) * 1e-9
-}
-fn run<const D: usize, const N: usize>(name: &str, points: &[[f64; D]], checked: bool) {
-    let rank: Vec<u32> = (0..points.len() as u32).collect();
+fn measure<const D: usize, const N: usize>(points: &[[f64; D]]) -> String {
+    let rank = (0..points.len() as u32).collect::<Vec<_>>();
     let mut delaunay = Delaunay::<D, N>::new();
-    for _ in 0..2 {
-        let (c, w) = (cpu(), Instant::now());
-        let t = delaunay.triangulate(points, &rank).unwrap();
-        let (c, w) = (cpu() - c, w.elapsed().as_secs_f64());
-        let cells = t.cells.len();
-        println!(
-            "{D}D {name} {} points, {cells} cells: {c:.4} s cpu {w:.4} wall {:.2} M cells/s",
-            points.len(),
-            cells as f64 / c * 1e-6
-        );
-        if checked {
-            println!("   {:?}", check(points, &rank, t));
-        }
-    }
+    let mut call = || {
+        let start = seconds();
+        let cells = delaunay.triangulate(points, &rank).map_or(0, |triangulation| triangulation.cells.len());
+        let spent = seconds() - start;
+        format!("{cells:>8} cells {spent:.4} s {:.2} M/s", cells as f64 / spent * 1e-6)
+    };
+    format!("first {}; again {}", call(), call())
+}
+
+fn beside(points: &[[f64; 2]]) -> String {
+    let start = seconds();
+    let points = points.iter().map(|[x, y]| Point2::new(*x, *y)).collect();
+    let cells =
+        DelaunayTriangulation::<Point2<f64>>::bulk_load_stable(points).map_or(0, |all| all.num_inner_faces());
+    let spent = seconds() - start;
+    format!("; spade {cells} cells {spent:.4} s")
+}
+
+/// CPU time of this thread (s), as the kernel counts it.
+fn seconds() -> f64 {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    text.split(' ').next().and_then(|time| time.parse::<f64>().ok()).unwrap_or(0.0) * 1e-9
 }

@@ -52,6 +52,9 @@ impl Constrained {
 
     /// Forces the edge between two points.
     ///
+    /// # Panics
+    /// If `a` is the corner of no triangle.
+    ///
     /// # Errors
     /// A point on it, or an edge forced before that crosses it: nothing is changed then.
     pub fn force(&mut self, points: &[[f64; 2]], a: u32, b: u32) -> Result<(), Obstacle> {

@@ -57,6 +57,10 @@ impl<const D: usize, const N: usize> Delaunay<D, N> {
         mesh.cells.clear();
         mesh.marks.clear();
         mesh.free.clear();
+        // Cells per random point, and some more.
+        let expected = order.points.len() * if D == 2 { 2 } else { 7 };
+        mesh.cells.reserve(expected);
+        mesh.marks.reserve(expected);
     }
 
     fn build(&mut self) {
@@ -84,7 +88,9 @@ impl<const D: usize, const N: usize> Delaunay<D, N> {
             if here { count - 1 } else { HULL }
         }));
         triangulation.cells.clear();
+        triangulation.cells.reserve(count as usize);
         triangulation.neighbours.clear();
+        triangulation.neighbours.reserve(count as usize);
         for cell in (0..mesh.cells.len()).filter(|cell| number[*cell] != HULL) {
             let cell = &mesh.cells[cell];
             triangulation.cells.push(cell.corners.map(|corner| mesh.names[corner as usize]));

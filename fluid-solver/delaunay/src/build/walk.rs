@@ -1,7 +1,7 @@
 //! Finding a cell that a point conflicts with.
 
 use super::mesh::{Cell, GHOST, Mesh};
-use crate::predicate::{conflict, in_circumsphere, orientation, rough_in_sphere, rough_side};
+use crate::predicate::{conflict, in_circumsphere, orientation, rough_side};
 
 /// Steps after which a walk by rounded signs is taken to go round in circles.
 const LONGEST_ROUGH_WALK: usize = 10_000;
@@ -66,10 +66,6 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         let place = self.point(point);
         let this = self.cell(cell);
         let Some(before) = self.behind_ghost(cell) else {
-            let sign = rough_in_sphere(self.places(this), place);
-            if sign != 0.0 {
-                return sign > 0.0;
-            }
             let ranks = this.corners.map(|corner| self.ranks[corner as usize]);
             return conflict(self.places(this), place, ranks, self.ranks[point as usize]);
         };

@@ -41,10 +41,21 @@ pub fn rough_side<const D: usize, const N: usize>(
     }
 }
 
+/// D! times the volume of a simplex; zero where rounding could have changed the sign, and of a ghost.
+#[inline(always)]
+fn rough_orientation<const D: usize, const N: usize>(corners: [&[f64; D]; N]) -> f64 {
+    let (value, bound) = if D == 2 {
+        plane::area([1, 2].map(|k| plane::from(corners[k], corners[0])))
+    } else {
+        space::volume_and_bound([0, 1, 2].map(|k| space::from(corners[k], corners[3])))
+    };
+    if value > bound || value < -bound { value } else { 0.0 }
+}
+
 /// Sign of the in-sphere determinant, positive if `point` lies inside the circumsphere of a positive simplex; zero where
 /// rounding could have changed the sign, and of a ghost.
 #[inline(always)]
-pub fn rough_in_sphere<const D: usize, const N: usize>(corners: [&[f64; D]; N], point: &[f64; D]) -> f64 {
+fn rough_in_sphere<const D: usize, const N: usize>(corners: [&[f64; D]; N], point: &[f64; D]) -> f64 {
     let (value, bound) = if D == 2 {
         plane::in_circle([0, 1, 2].map(|k| plane::from(corners[k], point)))
     } else {

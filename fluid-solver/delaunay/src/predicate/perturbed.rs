@@ -1,6 +1,7 @@
 //! The in-sphere predicate that is never zero.
 
 use super::exact::{in_sphere, orientation};
+use super::rough_in_sphere;
 
 /// Whether `point` lies inside the circumsphere of a positive simplex, the lifted coordinate of every point being raised by
 /// an infinitesimal that is of a higher order the lower its rank is.
@@ -13,7 +14,8 @@ pub fn conflict<const D: usize, const N: usize>(
     ranks: [u32; N],
     rank: u32,
 ) -> bool {
-    let sign = in_sphere(corners, point);
+    let rounded = rough_in_sphere(corners, point);
+    let sign = if rounded != 0.0 { rounded } else { in_sphere(corners, point) };
     if sign != 0.0 {
         return sign > 0.0;
     }

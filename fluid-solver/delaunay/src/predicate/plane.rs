@@ -20,6 +20,12 @@ pub fn lift(a: [f64; 2]) -> f64 {
     a[0] * a[0] + a[1] * a[1]
 }
 
+/// a × b and the bound of its error (Shewchuk 1997: (3 + 16 ε) ε times the same sum of absolute values).
+#[inline(always)]
+pub fn area([a, b]: [[f64; 2]; 2]) -> (f64, f64) {
+    (cross(a, b), 3.4e-16 * ((a[0] * b[1]).abs() + (b[0] * a[1]).abs()))
+}
+
 /// |a|²a × … : the in-circle determinant of the corners a, b, c of a positive triangle, seen from the point, and the bound
 /// of its error (Shewchuk 1997: (10 + 96 ε) ε times the same sum of absolute values, here bounded by the largest ones).
 #[inline(always)]

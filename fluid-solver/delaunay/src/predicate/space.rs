@@ -31,6 +31,14 @@ pub fn volume(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> f64 {
         + c[2] * (b[0] * a[1] - a[0] * b[1])
 }
 
+/// −a · (b × c) and the bound of its error (Shewchuk 1997: (7 + 56 ε) ε times the same sum of absolute values, here bounded
+/// by the largest ones).
+#[inline(always)]
+pub fn volume_and_bound([a, b, c]: [[f64; 3]; 3]) -> (f64, f64) {
+    let [x, y, z] = [0, 1, 2].map(|k| larger(larger(a[k].abs(), b[k].abs()), c[k].abs()));
+    (volume(a, b, c), 7.8e-16 * 6.0 * (x * y * z))
+}
+
 /// The in-sphere determinant of the corners a, b, c, d of a positive tetrahedron, seen from the point, and the bound of its
 /// error (Shewchuk 1997: (16 + 224 ε) ε times the same sum of absolute values, here bounded by the largest ones).
 #[inline(always)]

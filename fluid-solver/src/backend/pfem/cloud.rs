@@ -8,7 +8,7 @@ pub const OUTSIDE: u32 = u32::MAX;
 
 /// Nodes of the fluid and the cells between them at t_n; `N = D + 1`. In 2D volumes are areas.
 ///
-/// Every field has one entry per node. A node of no cell is a drop in flight.
+/// Every field of nodes has one entry per node. A node of no cell is a drop in flight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cloud<const D: usize, const N: usize> {
     /// x (m).
@@ -27,6 +27,8 @@ pub struct Cloud<const D: usize, const N: usize> {
     pub cells: Vec<[u32; N]>,
     /// Neighbour of a cell across the face opposite to each corner, or [`OUTSIDE`].
     pub neighbours: Vec<[u32; N]>,
+    /// Whether fluid met fluid in the last remeshing: v is not free of divergence then, and the next step damps it.
+    pub struck: bool,
 }
 
 impl<const D: usize, const N: usize> Cloud<D, N> {

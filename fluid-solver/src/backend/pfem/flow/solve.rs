@@ -89,6 +89,8 @@ impl<const D: usize, const N: usize> Start<'_, D, N> {
 pub struct Flow<const D: usize, const N: usize> {
     fluid: Fluid,
     control: Control,
+    /// θ of the step.
+    implicitness: f64,
     /// Of the mesh that was there last.
     mesh: Option<(Topology<N>, Preconditioning<D>)>,
     assembly: Assembly<D, N>,
@@ -117,6 +119,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         Self {
             fluid,
             control,
+            implicitness: control.implicitness,
             mesh: None,
             assembly: Assembly::default(),
             contact: Contact::default(),
@@ -168,6 +171,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         forces: &Forces<'_, D>,
     ) -> Result<FlowSolution<D>, FlowFault> {
         let start = Start { cloud, walls, step, forces };
+        // The middle of a step would turn the part of v round that a blow takes away.
+        self.implicitness = if cloud.struck { 1.0 } else { self.control.implicitness };
         let nodes = cloud.place.len();
         let mut mesh = match self.mesh.take() {
             Some(mesh) if mesh.0.is_of(nodes, &cloud.cells) => mesh,
@@ -293,6 +298,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let Start { cloud, step, forces, .. } = start;
         let (inertia, compressibility) = (self.inertia(step), self.compressibility(step));
         let Fluid { density, viscosity, .. } = self.fluid;
+        // In the middle, whatever θ is: there ∫∇·v is the change of volume.
         let place = |node: usize| moved(&cloud.place[node], 0.5 * step.length, &velocity[node]);
         self.assembly.place(topology, place, inertia, viscosity);
         if let Some(suspension) = &forces.grains {
@@ -398,7 +404,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         for node in 0..mass.len() {
             let (before, middle) = (&cloud.velocity[node], &velocity[node]);
             let flies = self.assembly.volumes[node] == 0.0;
-            let implicitness = if flies { 0.5 } else { self.control.implicitness };
+            let implicitness = if flies { 0.5 } else { self.implicitness };
             let change: Vector<D> = std::array::from_fn(|k| (middle[k] - before[k]) / implicitness);
             let end = &mut end_velocity[node];
             *end = moved(end, 1.0, &change);
@@ -436,7 +442,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// ρ/(θΔt) (kg/(m³ s)).
     fn inertia(&self, step: Step) -> f64 {
-        self.fluid.density / (self.control.implicitness * step.length)
+        self.fluid.density / (self.implicitness * step.length)
     }
 
     /// 1/(κΔt) (1/(Pa s)).

@@ -117,6 +117,19 @@ impl Draft {
         self.removed[node as usize] = true;
     }
 
+    /// Makes one node of two at the same place, as in the corner of two walls.
+    pub fn unite(&mut self, cloud: &mut Cloud<2, 3>, gone: u32, kept: u32) {
+        for wall in cloud.contacts[gone as usize].iter() {
+            cloud.contacts[kept as usize].insert(wall);
+        }
+        self.mass[kept as usize] += self.mass[gone as usize];
+        self.remove(gone);
+        for node in self.edges.iter_mut().flatten().filter(|node| **node == gone) {
+            *node = kept;
+        }
+        self.edges.retain(|[a, b]| a != b);
+    }
+
     /// Takes the nodes out that are to go; edges of the surface have none of them.
     pub fn compact(&mut self, cloud: &mut Cloud<2, 3>) {
         if !self.removed.contains(&true) {

@@ -25,7 +25,7 @@ use draft::{Draft, area};
 use tessellation::Tessellation;
 
 /// Finds the mesh of moved nodes; all but the rules is scratch.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct Remesher<const D: usize, const N: usize> {
     /// How the fluid is told from the void.
     pub recognition: Recognition,
@@ -47,6 +47,9 @@ impl Remesher<2, 3> {
     /// The mesh of a cloud whose nodes were moved: on entry its cells are those before the move.
     ///
     /// Σ m_i v_i over cells and drops (m_i a third of the cells around a node) is kept to round-off.
+    ///
+    /// # Errors
+    /// A place that is not finite.
     pub fn remesh(
         &mut self,
         cloud: &mut Cloud<2, 3>,
@@ -54,7 +57,7 @@ impl Remesher<2, 3> {
         time: f64,
         size: &TargetSize,
         books: &mut Books<2>,
-    ) -> Events {
+    ) -> Result<Events, delaunay::Error> {
         let energy_before = energy(cloud);
         self.draft.read(cloud, size);
         let momentum = transfer::momentum(&self.draft.mass, &cloud.velocity);
@@ -71,7 +74,7 @@ impl Remesher<2, 3> {
 
         let (draft, triangles) = (&mut self.draft, &mut self.triangles);
         let mut events = Events::default();
-        events.crossed = !self.recognition.recognise(cloud, draft, triangles);
+        events.crossed = !self.recognition.recognise(cloud, draft, triangles)?;
         let recognised = self.fluid_volume();
         books.volume.overlap.add(recognised - restored);
         self.topology(cloud, &mut books.volume, &mut events);
@@ -84,7 +87,8 @@ impl Remesher<2, 3> {
         books.volume.cells = volume(cloud);
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));
-        events
+        cloud.struck = events.impact();
+        Ok(events)
     }
 
     /// Merges and breaks.

@@ -4,11 +4,10 @@ use super::draft::{Draft, NONE};
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::Vector;
 use delaunay::constrained::Constrained;
-use delaunay::{HULL, Triangulation};
-use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation as _};
+use delaunay::{Delaunay, Error, HULL};
 
 /// The triangles; a point is a node that is no drop.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct Tessellation {
     /// Triangles between the points.
     pub made: Constrained,
@@ -20,45 +19,36 @@ pub struct Tessellation {
     pub point_of: Vec<u32>,
     /// Whether each triangle is fluid.
     pub fluid: Vec<bool>,
-    plain: Triangulation<3>,
-}
-
-struct Numbered(Vector<2>, u32);
-
-impl HasPosition for Numbered {
-    type Scalar = f64;
-    fn position(&self) -> Point2<f64> {
-        Point2::new(self.0[0], self.0[1])
-    }
+    rank: Vec<u32>,
+    delaunay: Delaunay<2, 3>,
 }
 
 impl Tessellation {
-    /// Triangulates the nodes that are no drops and not to go.
-    pub fn triangulate(&mut self, cloud: &Cloud<2, 3>, draft: &Draft) {
+    /// Triangulates the nodes that are no drops and not to go; of nodes at one place the oldest stays.
+    ///
+    /// # Errors
+    /// A place that is not finite.
+    pub fn triangulate(&mut self, cloud: &mut Cloud<2, 3>, draft: &mut Draft) -> Result<(), Error> {
+        for list in [&mut self.node_of, &mut self.point_of, &mut self.rank] {
+            list.clear();
+        }
         self.points.clear();
-        self.node_of.clear();
-        self.point_of.clear();
         for (node, place) in cloud.place.iter().enumerate() {
             let meshed = cloud.drop[node] == 0.0 && !draft.removed[node];
             self.point_of.push(if meshed { self.points.len() as u32 } else { NONE });
             if meshed {
                 self.points.push(*place);
+                self.rank.push(cloud.birth[node]);
                 self.node_of.push(node as u32);
             }
         }
-        let numbered = self.points.iter().enumerate().map(|(k, x)| Numbered(*x, k as u32)).collect();
-        let spade = DelaunayTriangulation::<Numbered>::bulk_load(numbered).unwrap_or_default();
-        self.plain.cells.clear();
-        self.plain.neighbours.clear();
-        for face in spade.inner_faces() {
-            self.plain.cells.push(face.vertices().map(|v| v.data().1));
-            let across = face
-                .adjacent_edges()
-                .map(|e| e.rev().face().as_inner().map_or(HULL, |f| f.fix().index() as u32 - 1));
-            // Edge k runs from corner k to the next, opposite to the one after that.
-            self.plain.neighbours.push([across[1], across[2], across[0]]);
+        let plain = self.delaunay.triangulate(&self.points, &self.rank)?;
+        for twins in &plain.twins {
+            let [gone, kept] = twins.map(|point| self.node_of[point as usize]);
+            draft.unite(cloud, gone, kept);
         }
-        self.made.start(&self.plain, self.points.len());
+        self.made.start(plain, self.points.len());
+        Ok(())
     }
 
     /// Corners of a triangle as nodes.

@@ -5,6 +5,7 @@ use super::super::tessellation::Tessellation;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Contacts;
 use crate::element::simplex::{Vector, difference, distance, dot};
+use delaunay::Error;
 use delaunay::constrained::Obstacle;
 
 /// Rounds of triangulation after which edges that still cross are left out.
@@ -13,10 +14,17 @@ const ROUNDS: usize = 12;
 const SNAP: f64 = 0.1;
 
 /// Triangulates the nodes and forces the surface; false if the surface had to be changed for it.
-pub fn force_surface(cloud: &mut Cloud<2, 3>, draft: &mut Draft, triangles: &mut Tessellation) -> bool {
+///
+/// # Errors
+/// A place that is not finite.
+pub fn force_surface(
+    cloud: &mut Cloud<2, 3>,
+    draft: &mut Draft,
+    triangles: &mut Tessellation,
+) -> Result<bool, Error> {
     let mut untouched = true;
     for round in 0.. {
-        triangles.triangulate(cloud, draft);
+        triangles.triangulate(cloud, draft)?;
         let crossing = force(draft, triangles, &mut untouched);
         if crossing.is_empty() || round == ROUNDS {
             triangles.made.restore(&triangles.points);
@@ -33,7 +41,7 @@ pub fn force_surface(cloud: &mut Cloud<2, 3>, draft: &mut Draft, triangles: &mut
         draft.edges.extend(crossing.iter().map(|(edge, _)| *edge));
         split(cloud, draft, &splits);
     }
-    untouched
+    Ok(untouched)
 }
 
 /// Forces the edges of the draft in; those that could not be are taken out of it and returned with what they cross.

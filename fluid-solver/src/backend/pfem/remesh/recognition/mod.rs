@@ -7,6 +7,7 @@ mod moved_domain;
 use super::draft::Draft;
 use super::tessellation::Tessellation;
 use crate::backend::pfem::cloud::Cloud;
+use delaunay::Error;
 
 /// The rule.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -24,12 +25,28 @@ pub enum Recognition {
 /// How the fluid is told from the void.
 trait Predicate {
     /// Triangulates the nodes and marks the triangles that are fluid; false if the surface had to be changed for it.
-    fn recognise(&self, cloud: &mut Cloud<2, 3>, draft: &mut Draft, triangles: &mut Tessellation) -> bool;
+    ///
+    /// # Errors
+    /// A place that is not finite.
+    fn recognise(
+        &self,
+        cloud: &mut Cloud<2, 3>,
+        draft: &mut Draft,
+        triangles: &mut Tessellation,
+    ) -> Result<bool, Error>;
 }
 
 impl Recognition {
     /// Triangulates the nodes and marks the triangles that are fluid; false if the surface had to be changed for it.
-    pub fn recognise(self, cloud: &mut Cloud<2, 3>, draft: &mut Draft, triangles: &mut Tessellation) -> bool {
+    ///
+    /// # Errors
+    /// A place that is not finite.
+    pub fn recognise(
+        self,
+        cloud: &mut Cloud<2, 3>,
+        draft: &mut Draft,
+        triangles: &mut Tessellation,
+    ) -> Result<bool, Error> {
         match self {
             Self::MovedDomain => moved_domain::MovedDomain.recognise(cloud, draft, triangles),
             Self::AlphaShape { alpha } => {

@@ -4,7 +4,7 @@ use super::super::draft::Draft;
 use super::super::tessellation::Tessellation;
 use super::{Predicate, crossings};
 use crate::backend::pfem::cloud::Cloud;
-use delaunay::HULL;
+use delaunay::{Error, HULL};
 
 /// Winding number of the moved surface > 0.
 ///
@@ -14,8 +14,13 @@ use delaunay::HULL;
 pub struct MovedDomain;
 
 impl Predicate for MovedDomain {
-    fn recognise(&self, cloud: &mut Cloud<2, 3>, draft: &mut Draft, triangles: &mut Tessellation) -> bool {
-        let untouched = crossings::force_surface(cloud, draft, triangles);
+    fn recognise(
+        &self,
+        cloud: &mut Cloud<2, 3>,
+        draft: &mut Draft,
+        triangles: &mut Tessellation,
+    ) -> Result<bool, Error> {
+        let untouched = crossings::force_surface(cloud, draft, triangles)?;
         let steps = steps(draft, triangles);
         let mut winding = vec![None; triangles.len()];
         let mut front: Vec<usize> = Vec::new();
@@ -38,7 +43,7 @@ impl Predicate for MovedDomain {
         }
         triangles.fluid.clear();
         triangles.fluid.extend(winding.iter().map(|number| number.is_some_and(|w| w > 0)));
-        untouched
+        Ok(untouched)
     }
 }
 
