@@ -1,7 +1,7 @@
 //! A step on the mesh at t_n: velocity and pressure of its middle, as one system.
 //!
 //! ρ Dv/Dt = ∇·τ − ∇p + ρg and ∇·v + (1/κ) Dp/Dt = 0 with P1 velocity and pressure on the mesh in the middle of the step,
-//! x_m = x_n + Δt v_m/2; traction is zero on the free surface. The mass row of a node is
+//! x_m = x_n + ½Δt v_m; traction is zero on the free surface. The mass row of a node is
 //!
 //! Σ_e [∫N ∇·v + τ∇N·(ρ(v_m − v_n)/(θΔt) + ∇p − ρg)] = 0:
 //!

@@ -25,6 +25,9 @@ const PASSES: u64 = 20;
 const FORCING: f64 = 0.02;
 /// A time after all others (s) whose third power is a number.
 const NEVER: f64 = 1e60;
+/// Least θ with grains: the divergence of v_m follows them from step to step, and the middle of a step would turn what it
+/// leaves of the last one round for ever.
+const WITH_GRAINS: f64 = 0.6;
 /// Residuals below this share of the sizes of their terms are round-off.
 const ROUND_OFF: f64 = 2e-15;
 
@@ -130,8 +133,12 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         forces: &Forces<'_, D>,
     ) -> Result<FlowSolution<D>, FlowFault> {
         let start = Start { cloud, walls, step, forces };
-        // The middle of a step would turn the part of v round that a blow takes away.
-        self.implicitness = if cloud.struck { 1.0 } else { self.control.implicitness };
+        self.implicitness = match &forces.grains {
+            // The middle of a step would turn the part of v round that a blow takes away.
+            _ if cloud.struck => 1.0,
+            Some(_) => self.control.implicitness.max(WITH_GRAINS),
+            None => self.control.implicitness,
+        };
         let nodes = cloud.place.len();
         let mut mesh = match self.mesh.take() {
             Some(mesh) if mesh.0.is_of(nodes, &cloud.cells) => mesh,
