@@ -8,9 +8,11 @@ mod exchange;
 mod on_mesh;
 mod placing;
 mod recovery;
+mod suspension;
 
 pub use compliance::{Compliance, CompliantCell, Given};
 pub use exchange::{Exchange, NodalDrag, Reaction};
-pub use on_mesh::{GrainsOnMesh, Medium};
+pub use on_mesh::{GrainsOnMesh, Medium, Taken};
 pub use placing::{FREE_SURFACE, FixedMesh, FreeSurface, Placing};
 pub use recovery::{Felt, Rate, Recovered, gradient_changes, recover};
+pub use suspension::Suspension;

@@ -2,7 +2,7 @@
 
 use super::exchange::{Exchange, Reaction};
 use super::placing::Placing;
-use super::recovery::Recovered;
+use super::recovery::{Recovered, gradient_changes};
 use crate::deposit::Deposit;
 use crate::element::simplex::{Vector, in_space};
 use crate::error::FluidError;
@@ -16,6 +16,19 @@ use std::f64::consts::PI;
 const SMALLEST_VOID_FRACTION: f64 = 0.05;
 /// Numbers per node that are sampled: u, ∇p, ∇·τ, Du/Dt, ∇×u, ∇(p − p′) with three components each, and ε.
 const SAMPLED: usize = 19;
+
+/// Forces that grains take from the fluid, all of them in sum (N; N/m in 2D).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Taken<const D: usize> {
+    /// Σ[β_e(u − v*) + R ∇(p − p′)].
+    pub drag: Vector<D>,
+    /// Σ V(−∇p + ∇·τ).
+    pub stress: Vector<D>,
+    /// ΣF, what they give.
+    pub explicit: Vector<D>,
+    /// Sum of the sizes of drag and explicit forces.
+    pub scale: f64,
+}
 
 /// The fluid that grains are in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,6 +126,19 @@ impl<const D: usize> GrainsOnMesh<D> {
             volume,
             inverse_mass: row.inverse_mass * depth,
         }));
+    }
+
+    /// What all grains take of the fields recovered; `measure` is that of the nodes when the grains were placed.
+    pub fn taken(&self, velocity: &[Vector<D>], recovered: &[Recovered<D>], measure: &[f64]) -> Taken<D> {
+        let (drag, explicit, scale) = self.exchange.totals(velocity, &gradient_changes(recovered));
+        let mut stress = [0.0; D];
+        for (a, recovered) in recovered.iter().enumerate() {
+            let solids = (1.0 - self.void_fraction[a]) * measure[a];
+            for k in 0..D {
+                stress[k] += solids * (recovered.stress_divergence[k] - recovered.pressure_gradient[k]);
+            }
+        }
+        Taken { drag, stress, explicit, scale }
     }
 
     /// Samples the fields at all grains.

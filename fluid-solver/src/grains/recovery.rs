@@ -57,9 +57,11 @@ pub struct Felt<'a, const D: usize> {
     pub viscosity: f64,
 }
 
-/// Recovers the fields; `corners` gives the cells around a node, each with which of its corners the node is.
+/// Recovers the fields; `corners` gives the cells around a node, each with which of its corners the node is, and `measure`
+/// |N_a| is that of the nodes when the grains were placed, 0 for a node of no cell.
 pub fn recover<const D: usize, const N: usize, C>(
     mesh: &Mesh<D, N>,
+    measure: &[f64],
     corners: impl Fn(usize) -> C + Sync,
     felt: Felt<'_, D>,
     recovered: &mut Vec<Recovered<D>>,
@@ -78,21 +80,22 @@ pub fn recover<const D: usize, const N: usize, C>(
             }
         }
     }
-    for_each_node(recovered, |node, value| *value = felt.at(mesh, node, corners(node), &traction[node]));
+    for_each_node(recovered, |node, value| {
+        *value = match measure[node] {
+            0.0 => Recovered::ZERO,
+            measure => felt.at(mesh, (node, measure), corners(node), &traction[node]),
+        };
+    });
 }
 
 impl<const D: usize> Felt<'_, D> {
     fn at<const N: usize>(
         &self,
         mesh: &Mesh<D, N>,
-        node: usize,
+        (node, measure): (usize, f64),
         corners: impl Iterator<Item = (usize, usize)>,
         traction: &Vector<D>,
     ) -> Recovered<D> {
-        let measure = mesh.measure()[node];
-        if measure == 0.0 {
-            return Recovered::ZERO;
-        }
         let mut sum = Recovered { stress_divergence: *traction, ..Recovered::ZERO };
         for (cell, a) in corners {
             let nodes = mesh.cell_nodes(cell);

@@ -7,6 +7,8 @@
 
 pub mod bins;
 mod build;
+pub mod case;
+mod corners;
 mod error;
 pub mod generate;
 pub mod gmsh;
@@ -18,6 +20,7 @@ mod surface;
 mod topology;
 
 pub use build::{MeshParts, PeriodicPairs};
+pub use corners::Corners;
 pub use error::{MeshError, Place};
 pub use particles::Linked;
 pub use periodicity::{Period, Periodicity};

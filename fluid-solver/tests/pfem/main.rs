@@ -2,4 +2,5 @@
 
 mod flow;
 mod space;
+mod grains;
 mod support;

@@ -4,7 +4,7 @@ use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
 use fluid_solver::backend::pfem::flow::{Control, Flow, FlowSolution, Fluid, Forces};
 use fluid_solver::backend::pfem::wall::{Contacts, Grip, Plane, Shape, Wall};
-use fluid_solver::element::simplex::dot;
+use fluid_solver::element::simplex::{dot, volume_and_areas};
 use fluid_solver::mesh::generate::{BoxMesh, Jitter};
 use std::collections::HashMap;
 
@@ -12,10 +12,10 @@ pub const WATER: Fluid = Fluid { density: 1000.0, viscosity: 1e-3, bulk_modulus:
 pub const G: f64 = 9.81;
 
 /// Gravity along the last axis.
-pub fn gravity<const D: usize>() -> Forces<D> {
+pub fn gravity<const D: usize>() -> Forces<'static, D> {
     let mut gravity = [0.0; D];
     gravity[D - 1] = -G;
-    Forces { gravity }
+    Forces { gravity, grains: None }
 }
 
 pub fn flow<const D: usize, const N: usize>(fluid: Fluid, tolerance: f64) -> Flow<D, N> {
@@ -70,7 +70,7 @@ pub fn tank<const D: usize>(size: [f64; D], grip: Grip) -> Vec<Wall<D>> {
             let (mut point, mut normal) = ([0.0; D], [0.0; D]);
             (point[axis], normal[axis]) = (at, sign);
             let shape = Shape::Plane(Plane { point, normal });
-            walls.push(Wall { name: format!("{axis}"), shape, grip });
+            walls.push(Wall::new(format!("{axis}"), shape, grip));
         }
     }
     walls
@@ -92,7 +92,7 @@ pub fn advance<const D: usize, const N: usize>(
     flow: &mut Flow<D, N>,
     cloud: &mut Cloud<D, N>,
     walls: &[Wall<D>],
-    forces: &Forces<D>,
+    forces: &Forces<'_, D>,
     length: f64,
     steps: std::ops::Range<usize>,
     mut after: impl FnMut(&Cloud<D, N>, &FlowSolution<D>),
@@ -107,4 +107,8 @@ pub fn advance<const D: usize, const N: usize>(
 
 pub fn largest_speed<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
     cloud.velocity.iter().map(|v| dot(v, v).sqrt()).fold(0.0, f64::max)
+}
+
+pub fn volume<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
+    cloud.cells.iter().map(|cell| volume_and_areas(&cloud.vertices(cell)).0).sum()
 }

@@ -2,10 +2,10 @@
 
 use super::flow::{Flow, Properties};
 use super::state::State;
-use crate::backend::{Attempt, FluidBackend, PointValue, Solution, Step};
+use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Step};
 use crate::element::simplex::{Vector, in_space};
 use crate::error::FluidError;
-use crate::grains::{Exchange, FixedMesh, GrainsOnMesh, Medium, Recovered, gradient_changes};
+use crate::grains::{Exchange, FixedMesh, GrainsOnMesh, Medium, Recovered, Taken};
 use crate::mesh::locate::Location;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use interface::frames::{GrainRow, ReactionRow, SampleRow};
@@ -15,15 +15,6 @@ use std::path::{Path, PathBuf};
 
 /// Largest Courant number |u|Δt/h: the scheme is implicit, this bounds the error in time.
 const COURANT: f64 = 2.0;
-
-/// Whether the fluid feels the grains.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Response {
-    /// It gives way to them and takes their reactions.
-    TwoWay,
-    /// It flows as if they were not there.
-    OneWay,
-}
 
 /// Stabilised finite elements on a fixed mesh.
 pub struct Eulerian<const D: usize, const N: usize> {
@@ -86,16 +77,8 @@ impl<const D: usize, const N: usize> Eulerian<D, N> {
 
     /// In one-way coupling whatever drives the fluid takes what the grains give.
     fn book_one_way(&self, step: Step, ledger: &mut FluidLedger) {
-        let velocity = &self.flow.state().velocity;
-        let (drag, explicit, scale) =
-            self.grains.exchange.totals(velocity, &gradient_changes(&self.recovered));
-        let mut stress = [0.0; D];
-        for (a, recovered) in self.recovered.iter().enumerate() {
-            let solids = (1.0 - self.grains.void_fraction[a]) * self.flow.mesh().measure()[a];
-            for k in 0..D {
-                stress[k] += solids * (recovered.stress_divergence[k] - recovered.pressure_gradient[k]);
-            }
-        }
+        let (velocity, measure) = (&self.flow.state().velocity, self.flow.mesh().measure());
+        let Taken { drag, stress, explicit, scale } = self.grains.taken(velocity, &self.recovered, measure);
         let impulse = self.depth * step.length;
         let [drag, stress, explicit] = [drag, stress, explicit].map(|f| in_space(&f).map(|f| f * impulse));
         for k in 0..3 {

@@ -137,7 +137,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// Recovers it at the nodes.
     pub fn recover(&self, recovered: &mut Vec<Recovered<D>>) {
         let corner = |corner: &Corner<N>| (corner.cell as usize, corner.local as usize);
-        recover(&self.mesh, |node| self.incidence.of(node).iter().map(corner), self.felt(), recovered);
+        let corners = |node: usize| self.incidence.of(node).iter().map(corner);
+        recover(&self.mesh, self.mesh.measure(), corners, self.felt(), recovered);
     }
 
     /// The present step becomes history.

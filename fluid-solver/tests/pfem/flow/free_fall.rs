@@ -40,7 +40,15 @@ fn a_blob_falls_freely_without_pressure_on_a_graded_mesh() {
 fn a_translation_goes_on_for_ever() {
     let mut cloud = graded::<3, 4>([5, 5, 5]);
     cloud.velocity.fill([1.0, -2.0, 3.0]);
-    advance(&mut flow(WATER, 1e-6), &mut cloud, &[], &Forces { gravity: [0.0; 3] }, 0.1, 0..10, |_, _| ());
+    advance(
+        &mut flow(WATER, 1e-6),
+        &mut cloud,
+        &[],
+        &Forces { gravity: [0.0; 3], grains: None },
+        0.1,
+        0..10,
+        |_, _| (),
+    );
     assert!(cloud.velocity.iter().all(|v| *v == [1.0, -2.0, 3.0]));
     assert!(cloud.pressure.iter().all(|p| *p == 0.0));
 }

@@ -1,2 +1,3 @@
 mod free_fall;
 mod rest;
+mod waves;

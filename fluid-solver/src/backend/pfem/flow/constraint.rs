@@ -44,6 +44,11 @@ impl<const D: usize> Constraint<D> {
         }
     }
 
+    /// Whether nothing is left free.
+    pub fn is_full(&self) -> bool {
+        self.rank == D
+    }
+
     /// The part of a vector in the free directions.
     #[inline]
     pub fn free(&self, v: &Vector<D>) -> Vector<D> {

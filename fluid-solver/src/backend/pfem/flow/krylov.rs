@@ -3,6 +3,7 @@
 use super::chunks::for_each;
 use super::constraint::Constraint;
 use super::nodal::{Assembly, Fields};
+use super::suspended::{Part, Suspended};
 use super::topology::Topology;
 use crate::element::simplex::Vector;
 use linear::{LinearOperator, dense, vector};
@@ -17,6 +18,8 @@ pub struct StepOperator<'a, const D: usize, const N: usize> {
     /// 1/(κΔt) (1/(Pa s)).
     pub compressibility: f64,
     pub scale: f64,
+    /// The grains, if any.
+    pub grains: Option<Suspended<'a, D, N>>,
     pub scratch: RefCell<Scratch<'a, D, N>>,
 }
 
@@ -36,7 +39,8 @@ impl<const D: usize, const N: usize> LinearOperator for StepOperator<'_, D, N> {
         let Scratch { assembly, excess } = &mut *self.scratch.borrow_mut();
         let inertia = self.inertia;
         for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-        let fields = Fields { velocity: v, pressure: p, excess };
+        let grains = self.grains.map(|grains| (grains, Part::Linear));
+        let fields = Fields { velocity: v, pressure: p, excess, grains };
         assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
         let (volumes, compressibility) = (&assembly.volumes, self.compressibility);
         for_each(volume, |node, row| *row += compressibility * volumes[node] * p[node]);

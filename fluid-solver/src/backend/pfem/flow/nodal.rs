@@ -2,6 +2,9 @@
 
 use super::cell::Cell;
 use super::chunks::for_each;
+use super::contact::moved;
+use super::porous::Porous;
+use super::suspended::{Part, Suspended};
 use super::topology::Topology;
 use crate::element::simplex::Vector;
 
@@ -10,7 +13,7 @@ use crate::element::simplex::Vector;
 pub struct Assembly<const D: usize, const N: usize> {
     /// The cells.
     pub cells: Vec<Cell<D, N>>,
-    /// V_i = Σ V/N (m³); 0 at drops.
+    /// V_i = Σ V/N, of the fluid alone Σ ∫εN_i (m³); 0 at drops.
     pub volumes: Vec<f64>,
     rows: Vec<Rows<D, N>>,
 }
@@ -20,13 +23,15 @@ type Rows<const D: usize, const N: usize> = ([Vector<D>; N], [f64; N]);
 
 /// Fields at the nodes that the rows depend on.
 #[derive(Clone, Copy)]
-pub struct Fields<'a, const D: usize> {
+pub struct Fields<'a, const D: usize, const N: usize> {
     /// v (m/s).
     pub velocity: &'a [Vector<D>],
     /// p (Pa).
     pub pressure: &'a [f64],
     /// e = ρ(v − v_n)/(θΔt) − ρg: the residual of momentum but for the stresses (N/m³).
     pub excess: &'a [Vector<D>],
+    /// The grains, if any, and whether what they do without the fluid counts.
+    pub grains: Option<(Suspended<'a, D, N>, Part)>,
 }
 
 impl<const D: usize, const N: usize> Default for Assembly<D, N> {
@@ -58,24 +63,41 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         });
     }
 
+    /// Leaves to the fluid the volume that grains do not take.
+    pub fn share_volume(&mut self, topology: &Topology<N>, porous: &[Porous<D, N>]) {
+        let cells = &self.cells;
+        for_each(&mut self.volumes, |node, volume| {
+            let corners = topology.corners(node).iter().map(|c| (c.cell as usize, c.local as usize));
+            *volume = corners.map(|(cell, local)| porous[cell].fluid_volume(&cells[cell], local)).sum();
+        });
+    }
+
     /// The rows of momentum (N) and of volume (m³/s); with `curvature` as [`Cell::rows`] has it.
     pub fn evaluate(
         &mut self,
         topology: &Topology<N>,
-        fields: Fields<'_, D>,
+        fields: Fields<'_, D, N>,
         curvature: f64,
         momentum: &mut [Vector<D>],
         volume: &mut [f64],
     ) {
         let Self { cells, volumes, rows } = self;
-        let Fields { velocity, pressure, excess } = fields;
+        let Fields { velocity, pressure, excess, grains } = fields;
         for_each(rows, |index, rows| {
             let nodes = topology.cells()[index].map(|node| node as usize);
+            if let Some((grains, part)) = &grains {
+                let corners = grains.corners(*part, &nodes, (velocity, pressure), excess);
+                *rows = grains.cells[index].rows(&cells[index], &corners, curvature);
+                return;
+            }
             let (v, p) = (nodes.map(|node| velocity[node]), nodes.map(|node| pressure[node]));
             *rows = cells[index].rows(&v, &p, &nodes.map(|node| excess[node]), curvature);
         });
         for_each(momentum, |node, force| {
             *force = excess[node].map(|e| volumes[node] * e);
+            if let Some((grains, part)) = &grains {
+                *force = moved(force, 1.0, &grains.drag(*part, node, &velocity[node]));
+            }
             for corner in topology.corners(node) {
                 let other = &rows[corner.cell as usize].0[corner.local as usize];
                 for k in 0..D {
@@ -89,12 +111,24 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         });
     }
 
-    /// ∫p∇N_i (N).
-    pub fn pressure_forces(&self, topology: &Topology<N>, p: &[f64], forces: &mut [Vector<D>]) {
+    /// ∫p∇(εN_i) (N).
+    pub fn pressure_forces(
+        &self,
+        topology: &Topology<N>,
+        grains: Option<Suspended<'_, D, N>>,
+        p: &[f64],
+        forces: &mut [Vector<D>],
+    ) {
         for_each(forces, |node, force| {
             *force = [0.0; D];
             for corner in topology.corners(node) {
                 let cell = corner.cell as usize;
+                if let Some(grains) = &grains {
+                    let p = topology.cells()[cell].map(|node| p[node as usize]);
+                    let forces = grains.cells[cell].pressure_forces(&self.cells[cell], &p);
+                    *force = moved(force, 1.0, &forces[corner.local as usize]);
+                    continue;
+                }
                 let mean =
                     topology.cells()[cell].iter().map(|&node| p[node as usize]).sum::<f64>() / N as f64;
                 let area = &self.cells[cell].areas[corner.local as usize];

@@ -1,18 +1,19 @@
 //! One step: geometry, contacts and the linear system until nothing is left.
 
-use super::chunks::for_each;
 use super::contact::{Contact, moved};
 use super::fault::FlowFault;
 use super::krylov::{self, StepOperator, split, split_mut};
-use super::nodal::{Assembly, Fields};
-use super::preconditioner::{self, Pressure, StepPreconditioner};
+use super::nodal::Assembly;
+use super::porous::Porous;
+use super::preconditioner::{Preconditioning, StepPreconditioner};
+use super::setting::{Control, Fluid, Forces};
 use super::solution::{FlowSolution, Residuals};
-use super::strain::Strain;
+use super::suspended::Suspended;
 use super::topology::Topology;
 use crate::backend::Step;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
-use crate::element::simplex::{Vector, dot};
+use crate::element::simplex::Vector;
 use linear::{FlexibleGmres, Stopping, vector};
 use std::cell::RefCell;
 
@@ -22,80 +23,61 @@ const ITERATIONS: [usize; 2] = [40, 400];
 const PASSES: u64 = 20;
 /// What a linear solve leaves of the residual that it began with, at most: the geometry changes after it anyway.
 const FORCING: f64 = 0.02;
+/// A time after all others (s) whose third power is a number.
+const NEVER: f64 = 1e60;
+/// Least θ with grains: the divergence of v_m follows them from step to step, and the middle of a step would turn what it
+/// leaves of the last one round for ever.
+const WITH_GRAINS: f64 = 0.6;
 /// Residuals below this share of the sizes of their terms are round-off.
 const ROUND_OFF: f64 = 2e-15;
 
-/// The fluid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fluid {
-    /// ρ (kg/m³).
-    pub density: f64,
-    /// μ (Pa s).
-    pub viscosity: f64,
-    /// κ (Pa); none if incompressible.
-    pub bulk_modulus: Option<f64>,
-}
-
-/// How accurate a step is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Control {
-    /// Norm of the residual relative to that of the predictor and of the inertia of the flow.
-    pub tolerance: f64,
-    /// θ: forces are those at t_n + θΔt and v_{n+1} = v_n + (v_m − v_n)/θ. One half is of second order and keeps the
-    /// energy; more damps what rings from step to step.
-    pub implicitness: f64,
-    /// How far a cell may be strained in a step.
-    pub strain: Strain,
-}
-
-impl Default for Control {
-    fn default() -> Self {
-        Self { tolerance: 1e-6, implicitness: 0.5, strain: Strain::default() }
-    }
-}
-
-/// What acts on the fluid from outside.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Forces<const D: usize> {
-    /// g (m/s²).
-    pub gravity: Vector<D>,
-}
-
 /// What a step starts from.
 #[derive(Clone, Copy)]
-struct Start<'a, const D: usize, const N: usize> {
-    cloud: &'a Cloud<D, N>,
-    walls: &'a [Wall<D>],
-    step: Step,
-    forces: &'a Forces<D>,
+pub(super) struct Start<'a, const D: usize, const N: usize> {
+    pub(super) cloud: &'a Cloud<D, N>,
+    pub(super) walls: &'a [Wall<D>],
+    pub(super) step: Step,
+    pub(super) forces: &'a Forces<'a, D>,
+}
+
+impl<const D: usize, const N: usize> Start<'_, D, N> {
+    /// The grains, with the cells that they make porous.
+    pub(super) fn suspended<'a>(
+        &'a self,
+        cells: &'a [Porous<D, N>],
+        implicitness: f64,
+    ) -> Option<Suspended<'a, D, N>> {
+        let suspension = self.forces.grains.as_ref()?;
+        Some(Suspended { suspension, before: &self.cloud.velocity, implicitness, cells })
+    }
 }
 
 /// Solves steps; holds nothing that a step depends on but what fluid it is.
 pub struct Flow<const D: usize, const N: usize> {
-    fluid: Fluid,
+    pub(super) fluid: Fluid,
     control: Control,
     /// θ of the step.
-    implicitness: f64,
+    pub(super) implicitness: f64,
     /// Of the mesh that was there last.
-    mesh: Option<(Topology<N>, Pressure)>,
-    assembly: Assembly<D, N>,
-    contact: Contact<D>,
-    excess: Vec<Vector<D>>,
-    preconditioning: preconditioner::Scratch<D>,
+    mesh: Option<(Topology<N>, Preconditioning<D>)>,
+    pub(super) assembly: Assembly<D, N>,
+    pub(super) contact: Contact<D>,
+    pub(super) excess: Vec<Vector<D>>,
+    pub(super) porous: Vec<Porous<D, N>>,
     /// The rows at the iterate.
-    rows: Vec<f64>,
+    pub(super) rows: Vec<f64>,
     /// Their negative in the free directions.
-    right: Vec<f64>,
+    pub(super) right: Vec<f64>,
     increment: Vec<f64>,
     krylov: FlexibleGmres,
 }
 
 /// How far a solution has come.
 #[derive(Clone, Copy, Debug, Default)]
-struct Progress {
-    passes: u64,
-    iterations: u64,
-    residuals: Residuals,
+pub(super) struct Progress {
+    pub(super) passes: u64,
+    pub(super) iterations: u64,
+    pub(super) residuals: Residuals,
 }
 
 impl<const D: usize, const N: usize> Flow<D, N> {
@@ -109,7 +91,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             assembly: Assembly::default(),
             contact: Contact::default(),
             excess: Vec::new(),
-            preconditioning: preconditioner::Scratch::default(),
+            porous: Vec::new(),
             rows: Vec::new(),
             right: Vec::new(),
             increment: Vec::new(),
@@ -124,7 +106,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
     pub fn largest_step(&self, cloud: &Cloud<D, N>) -> f64 {
-        self.first_breach(cloud, &cloud.velocity, f64::INFINITY).map_or(f64::INFINITY, |(_, time)| time)
+        self.first_breach(cloud, &cloud.velocity, NEVER).map_or(f64::INFINITY, |(_, time)| time)
     }
 
     /// The cell that leaves its bounds first, and when.
@@ -148,18 +130,22 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         cloud: &Cloud<D, N>,
         walls: &[Wall<D>],
         step: Step,
-        forces: &Forces<D>,
+        forces: &Forces<'_, D>,
     ) -> Result<FlowSolution<D>, FlowFault> {
         let start = Start { cloud, walls, step, forces };
-        // The middle of a step would turn the part of v round that a blow takes away.
-        self.implicitness = if cloud.struck { 1.0 } else { self.control.implicitness };
+        self.implicitness = match &forces.grains {
+            // The middle of a step would turn the part of v round that a blow takes away.
+            _ if cloud.struck => 1.0,
+            Some(_) => self.control.implicitness.max(WITH_GRAINS),
+            None => self.control.implicitness,
+        };
         let nodes = cloud.place.len();
         let mut mesh = match self.mesh.take() {
             Some(mesh) if mesh.0.is_of(nodes, &cloud.cells) => mesh,
             _ => {
                 let topology = Topology::new(nodes, &cloud.cells)?;
-                let pressure = Pressure::new(&topology);
-                (topology, pressure)
+                let preconditioning = Preconditioning::new(&topology);
+                (topology, preconditioning)
             }
         };
         self.excess.resize(nodes, [0.0; D]);
@@ -181,9 +167,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// Drops fly, and stop at walls.
     fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
         let Start { cloud, walls, step, forces } = start;
-        let implicit = self.implicitness * step.length;
         for (_, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
-            *v = moved(v, implicit, &forces.gravity);
+            *v = moved(v, 0.5 * step.length, &forces.gravity);
         }
         self.contact.find(cloud, walls, step, velocity);
     }
@@ -192,7 +177,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     fn improve(
         &mut self,
         start: Start<'_, D, N>,
-        (topology, schur): &mut (Topology<N>, Pressure),
+        (topology, preconditioning): &mut (Topology<N>, Preconditioning<D>),
         velocity: &mut [Vector<D>],
         pressure: &mut [f64],
     ) -> Result<Progress, FlowFault> {
@@ -206,17 +191,19 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 *v = constraint.impose(v);
             }
             self.evaluate(start, topology, velocity, pressure);
-            let (momentum_size, force_size) = self.sizes(start, topology, velocity, pressure);
+            let scale = self.volume_scale(start);
+            let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
-            let Self { assembly, excess, contact, right, increment, rows, krylov, preconditioning, .. } =
-                self;
-            let spacing = (vector::sum(&assembly.volumes) / velocity.len() as f64).powf(1.0 / D as f64);
+            let implicitness = self.implicitness;
+            let Self { assembly, excess, porous, contact, right, increment, rows, krylov, .. } = self;
+            let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
                 constraints: &contact.constraints,
                 inertia,
                 compressibility,
-                scale: inertia * spacing,
+                scale,
+                grains,
                 scratch: RefCell::new(krylov::Scratch { assembly, excess }),
             };
             right.copy_from_slice(rows);
@@ -247,18 +234,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                     target: allowed,
                 });
             }
-            {
+            if progress.passes == 0 {
                 let assembly = &operator.scratch.borrow().assembly;
-                preconditioning.refresh(topology, assembly, inertia);
-                if progress.passes == 0 {
-                    schur.refresh(cloud, assembly, 1.0 / inertia, compressibility)?;
-                }
+                let rates = (inertia, compressibility);
+                preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;
             }
             increment.fill(0.0);
             let absolute = (FORCING * norm).max(0.5 * allowed);
             let stopping = Stopping { relative: 0.0, absolute, iterations: ITERATIONS[1] };
-            let mut preconditioner =
-                StepPreconditioner { operator: &operator, pressure: schur, scratch: preconditioning };
+            let mut preconditioner = StepPreconditioner { operator: &operator, parts: preconditioning };
             let outcome = krylov.solve(&operator, &mut preconditioner, right, increment, stopping);
             progress.iterations += outcome.iterations as u64;
             progress.passes += 1;
@@ -269,124 +253,13 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         }
     }
 
-    /// All rows at (v, p), on the geometry that v leads to.
-    fn evaluate(
-        &mut self,
-        start: Start<'_, D, N>,
-        topology: &Topology<N>,
-        velocity: &[Vector<D>],
-        pressure: &[f64],
-    ) {
-        let Start { cloud, step, forces, .. } = start;
-        let (inertia, compressibility) = (self.inertia(step), self.compressibility(step));
-        let Fluid { density, viscosity, .. } = self.fluid;
-        // In the middle, whatever θ is: there ∫∇·v is the change of volume.
-        let place = |node: usize| moved(&cloud.place[node], 0.5 * step.length, &velocity[node]);
-        self.assembly.place(topology, place, inertia, viscosity);
-        for_each(&mut self.excess, |node, e| {
-            let (v, before) = (&velocity[node], &cloud.velocity[node]);
-            *e = std::array::from_fn(|k| inertia * (v[k] - before[k]) - density * forces.gravity[k]);
-        });
-        let (momentum, volumes) = split_mut::<D>(&mut self.rows);
-        let fields = Fields { velocity, pressure, excess: &self.excess };
-        let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
-        self.assembly.evaluate(topology, fields, curvature, momentum, volumes);
-        for_each(volumes, |node, row| {
-            let change = pressure[node] - cloud.pressure[node];
-            *row += compressibility * self.assembly.volumes[node] * change;
-        });
-    }
-
-    /// Norms of V_i ρv/(θΔt), and of the sizes of the terms that make up a force (N).
-    fn sizes(
-        &mut self,
-        start: Start<'_, D, N>,
-        topology: &Topology<N>,
-        velocity: &[Vector<D>],
-        pressure: &[f64],
-    ) -> (f64, f64) {
-        let inertia = self.inertia(start.step);
-        let weight = self.fluid.density * dot(&start.forces.gravity, &start.forces.gravity).sqrt();
-        let Self { assembly, right, .. } = self;
-        let (momentum, force) = right.split_at_mut(velocity.len());
-        for_each(momentum, |node, size| {
-            *size = inertia * assembly.volumes[node] * dot(&velocity[node], &velocity[node]).sqrt();
-        });
-        let force = &mut force[..velocity.len()];
-        for_each(force, |node, size| {
-            *size = weight * assembly.volumes[node];
-            for corner in topology.corners(node) {
-                let area = &assembly.cells[corner.cell as usize].areas[corner.local as usize];
-                *size += pressure[node].abs() * dot(area, area).sqrt();
-            }
-        });
-        (vector::norm(momentum), vector::norm(force))
-    }
-
-    /// The velocity at the end, and what the walls did.
-    ///
-    /// Σ m_i (v_{n+1} − v_n) = Δt Σ (forces + reactions) to round-off: what the solver left of the rows of free nodes,
-    /// their inner forces having no sum, is taken from all of them alike.
-    fn finish(
-        &self,
-        start: Start<'_, D, N>,
-        velocity: Vec<Vector<D>>,
-        pressure: Vec<f64>,
-        progress: Progress,
-    ) -> FlowSolution<D> {
-        let Start { cloud, walls, step, forces } = start;
-        let (rows, _) = split::<D>(&self.rows);
-        let volumes = self.assembly.volumes.iter().zip(&cloud.drop);
-        let mass: Vec<f64> = volumes.map(|(volume, drop)| self.fluid.density * (volume + drop)).collect();
-        let is_free = |node: usize| self.contact.touched[node].is_empty();
-        let (mut left, mut free_mass) = ([0.0; D], 0.0);
-        for node in (0..mass.len()).filter(|&node| is_free(node)) {
-            free_mass += self.fluid.density * self.assembly.volumes[node];
-            left = moved(&left, 1.0, &rows[node]);
-        }
-        let drift = left.map(|left| if free_mass > 0.0 { left * step.length / free_mass } else { 0.0 });
-        let mut end_velocity = cloud.velocity.clone();
-        let mut reaction = vec![[0.0; D]; mass.len()];
-        for node in 0..mass.len() {
-            let (before, middle) = (&cloud.velocity[node], &velocity[node]);
-            let change: Vector<D> = std::array::from_fn(|k| (middle[k] - before[k]) / self.implicitness);
-            let end = &mut end_velocity[node];
-            *end = moved(end, 1.0, &change);
-            if is_free(node) {
-                if self.assembly.volumes[node] > 0.0 {
-                    *end = moved(end, -1.0, &drift);
-                }
-                continue;
-            }
-            *end = self.contact.at_end(cloud, walls, step, node, middle, end);
-            let other: Vector<D> = if cloud.drop[node] > 0.0 {
-                forces.gravity.map(|g| mass[node] * g)
-            } else {
-                std::array::from_fn(|k| mass[node] * change[k] / step.length - rows[node][k])
-            };
-            reaction[node] =
-                std::array::from_fn(|k| mass[node] * (end[k] - before[k]) / step.length - other[k]);
-        }
-        FlowSolution {
-            velocity,
-            end_velocity,
-            pressure,
-            contacts: self.contact.touched.clone(),
-            reaction,
-            mass,
-            iterations: progress.iterations,
-            passes: progress.passes,
-            residuals: progress.residuals,
-        }
-    }
-
     /// ρ/(θΔt) (kg/(m³ s)).
-    fn inertia(&self, step: Step) -> f64 {
+    pub(super) fn inertia(&self, step: Step) -> f64 {
         self.fluid.density / (self.implicitness * step.length)
     }
 
     /// 1/(κΔt) (1/(Pa s)).
-    fn compressibility(&self, step: Step) -> f64 {
+    pub(super) fn compressibility(&self, step: Step) -> f64 {
         self.fluid.bulk_modulus.map_or(0.0, |modulus| 1.0 / (modulus * step.length))
     }
 }

@@ -1,0 +1,106 @@
+//! Approximate inverse of the Schur complement of the pressure.
+
+use super::nodal::Assembly;
+use super::suspended::Suspended;
+use super::topology::Topology;
+use crate::backend::pfem::cloud::Cloud;
+use crate::element::simplex::dot;
+use linear::{Amg, AmgOptions, Csr, Preconditioner, SparseCholesky};
+
+/// Up to so many nodes the pressure matrix is factored, above it has a multigrid cycle.
+const DIRECT: [usize; 2] = [20_000, 3_000];
+
+/// The free surface as a spring: its part of the pressure matrix is this many times (θΔt/ρ)/h_n the mass of the face.
+const SURFACE: f64 = 2.0;
+
+/// Added to the diagonal of the pressure matrix, relative: a vessel without surface leaves the level of pressure open.
+const LEVEL: f64 = 1e-9;
+
+/// P ≈ the Schur complement of the pressure: (θΔt/ρ)[∫∇N_i·∇N_j + Σ_faces (c/h_n) ∫N_i N_j] + V_i/(κΔt).
+///
+/// The inertia of the stabilisation cancels ∫N_i∇·v inside, where τ = θΔt/ρ; what is left of both is on the surface.
+pub struct Pressure {
+    matrix: Csr,
+    solver: Option<Solver>,
+}
+
+enum Solver {
+    Direct(SparseCholesky),
+    Multigrid(Amg),
+}
+
+impl Pressure {
+    /// To be refreshed before use.
+    pub fn new<const N: usize>(topology: &Topology<N>) -> Self {
+        Self { matrix: Csr::zeros(topology.pattern().clone()), solver: None }
+    }
+
+    /// Takes the cells of a pass.
+    ///
+    /// # Errors
+    /// A coefficient that is not finite.
+    pub fn refresh<const D: usize, const N: usize>(
+        &mut self,
+        cloud: &Cloud<D, N>,
+        assembly: &Assembly<D, N>,
+        inertia: f64,
+        compressibility: f64,
+        grains: Option<Suspended<'_, D, N>>,
+    ) -> Result<(), linear::Error> {
+        let mobility = |index: usize, nodes: &[u32; N]| match &grains {
+            Some(grains) => grains.mobility(index, nodes, inertia),
+            None => 1.0 / inertia,
+        };
+        self.matrix.values_mut().fill(0.0);
+        for (index, (nodes, cell)) in cloud.cells.iter().zip(&assembly.cells).enumerate() {
+            let mobility = mobility(index, nodes);
+            for i in 0..N {
+                for j in 0..N {
+                    let entry = mobility * cell.inverse * dot(&cell.areas[i], &cell.areas[j]);
+                    self.matrix.add(nodes[i] as usize, nodes[j] as usize, entry);
+                }
+            }
+        }
+        cloud.for_each_free_face(|index, opposite| {
+            let (nodes, cell) = (&cloud.cells[index], &assembly.cells[index]);
+            let mobility = mobility(index, nodes);
+            let square = dot(&cell.areas[opposite], &cell.areas[opposite]);
+            let entry = SURFACE * mobility * cell.inverse * square / (D + 1) as f64;
+            for i in (0..N).filter(|&i| i != opposite) {
+                for j in (0..N).filter(|&j| j != opposite) {
+                    let twice = if i == j { 2.0 } else { 1.0 };
+                    self.matrix.add(nodes[i] as usize, nodes[j] as usize, twice * entry);
+                }
+            }
+        });
+        for (node, volume) in assembly.volumes.iter().enumerate() {
+            let diagonal = self.matrix.get(node, node);
+            let more = if diagonal > 0.0 { compressibility * volume + LEVEL * diagonal } else { 1.0 };
+            self.matrix.add(node, node, more);
+        }
+        match &mut self.solver {
+            Some(Solver::Direct(cholesky)) => cholesky.refresh(&self.matrix),
+            Some(Solver::Multigrid(amg)) => amg.refresh(&self.matrix),
+            None if cloud.place.len() <= DIRECT[D - 2] => {
+                self.solver = Some(Solver::Direct(SparseCholesky::new(&self.matrix)?));
+                Ok(())
+            }
+            None => {
+                self.solver = Some(Solver::Multigrid(Amg::new(&self.matrix, AmgOptions::default())?));
+                Ok(())
+            }
+        }
+    }
+
+    /// z ← P⁻¹ r.
+    pub fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+        match &mut self.solver {
+            Some(Solver::Direct(cholesky)) => {
+                z.copy_from_slice(r);
+                cholesky.solve_in_place(z);
+            }
+            Some(Solver::Multigrid(amg)) => amg.apply(r, z),
+            None => z.copy_from_slice(r),
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Standing waves of small amplitude in a tank of width 1 m, half a wave long: k = π.
+
+use crate::support::{WATER, advance, block, flow, tank, touch, volume};
+use fluid_solver::backend::pfem::cloud::Cloud;
+use fluid_solver::backend::pfem::flow::{Fluid, Forces};
+use fluid_solver::backend::pfem::wall::Grip;
+use std::f64::consts::PI;
+
+/// A wave a cos kx on water of a depth; rows of nodes are closer by a factor of `grading` at the surface than below.
+struct Wave {
+    depth: f64,
+    cells: [usize; 2],
+    grading: f64,
+    amplitude: f64,
+}
+
+impl Wave {
+    fn cloud(&self) -> Cloud<2, 3> {
+        let mut cloud = block::<2, 3>([1.0, 1.0], self.cells, 0.2);
+        for x in &mut cloud.place {
+            let (down, q) = (1.0 - x[1], (self.grading - 1.0) / (self.grading + 1.0));
+            let height = 1.0 - down * (1.0 - q * (1.0 - down));
+            x[1] = height * (self.depth + self.amplitude * (PI * x[0]).cos());
+        }
+        cloud
+    }
+
+    /// Coefficient of cos kx in the elevation of the surface, relative to the amplitude.
+    fn coefficient(&self, cloud: &Cloud<2, 3>) -> f64 {
+        let row = self.cells[0] + 1;
+        let surface = &cloud.place[cloud.place.len() - row..];
+        let elevation = |i: usize| (surface[i][1] - self.depth) * (PI * surface[i][0]).cos();
+        let trapezes = surface.windows(2).enumerate();
+        let integral: f64 =
+            trapezes.map(|(i, x)| 0.5 * (x[1][0] - x[0][0]) * (elevation(i) + elevation(i + 1))).sum();
+        2.0 * integral / self.amplitude
+    }
+
+    /// The coefficient after each step, the first before them.
+    fn run(&self, fluid: Fluid, gravity: f64, length: f64, steps: usize) -> Vec<f64> {
+        let (mut cloud, walls) = (self.cloud(), tank([1.0, 2.0 * self.depth], Grip::Slip));
+        touch(&mut cloud, &walls);
+        for (p, x) in cloud.pressure.iter_mut().zip(&cloud.place) {
+            *p = fluid.density * gravity * (self.depth - x[1]);
+        }
+        let start = volume(&cloud);
+        let mut series = vec![self.coefficient(&cloud)];
+        let forces = Forces { gravity: [0.0, -gravity], grains: None };
+        advance(&mut flow(fluid, 1e-6), &mut cloud, &walls, &forces, length, 0..steps, |cloud, _| {
+            series.push(self.coefficient(cloud));
+            let change = volume(cloud) / start - 1.0;
+            assert!(change.abs() <= 1e-8, "{change:e}");
+        });
+        series
+    }
+}
+
+/// Times at which a series vanishes.
+fn zeros(series: &[f64], length: f64) -> Vec<f64> {
+    let crossings = series.windows(2).enumerate().filter(|(_, a)| a[0] * a[1] < 0.0);
+    crossings.map(|(n, a)| (n as f64 + a[0] / (a[0] - a[1])) * length).collect()
+}
+
+#[test]
+fn the_period_is_that_of_linear_theory_and_ten_periods_keep_volume_and_amplitude() {
+    let wave = Wave { depth: 0.5, cells: [40, 20], grading: 1.0, amplitude: 5e-3 };
+    let exact = 2.0 * PI / (9.81 * PI * (PI * wave.depth).tanh()).sqrt();
+    let length = exact / 100.0;
+    let series = wave.run(WATER, 9.81, length, 1030);
+    let zeros = zeros(&series, length);
+    let period = (zeros[20] - zeros[0]) / 10.0;
+    println!("period {:+.4} %", 100.0 * (period / exact - 1.0));
+    assert!((period / exact - 1.0).abs() <= 2e-3, "{period} s against {exact} s");
+    let last = series[1000 - 50..].iter().fold(0.0f64, |max, a| max.max(a.abs()));
+    println!("amplitude {last}");
+    assert!((last - 1.0).abs() <= 0.02, "{last}");
+}
+
+/// Largest difference to the solution of Prosperetti, of the first amplitude.
+fn decay(reference: &str, viscosity: f64, end: f64) -> f64 {
+    let wave = Wave { depth: 2.0, cells: [40, 48], grading: 3.0, amplitude: 0.01 };
+    let fluid = Fluid { density: 1.0, viscosity, bulk_modulus: None };
+    let length = 0.04;
+    let series = wave.run(fluid, 1.0, length, (end / length).round() as usize);
+    let rows = reference.lines().filter_map(|line| line.split_once(','));
+    let exact: Vec<[f64; 2]> = rows.filter_map(|(t, a)| Some([t.parse().ok()?, a.parse().ok()?])).collect();
+    let difference = |row: &[f64; 2]| {
+        let (n, rest) = ((row[0] / length) as usize, row[0] / length % 1.0);
+        let found = series[n] + rest * (series[(n + 1).min(series.len() - 1)] - series[n]);
+        if row[0] % 1.0 == 0.0 {
+            println!("{} {} {}", row[0], found, row[1]);
+        }
+        (found - row[1]).abs()
+    };
+    exact.iter().filter(|row| row[0] <= end - length).map(difference).fold(0.0, f64::max)
+}
+
+#[test]
+fn viscosity_takes_what_the_solution_of_prosperetti_says() {
+    let thick = decay(include_str!("../reference/standing_viscous_prosperetti_Re20.csv"), 0.05, 10.0);
+    println!("Re 20: {thick}");
+    let thin = decay(include_str!("../reference/standing_viscous_prosperetti_Re200.csv"), 0.005, 10.0);
+    println!("Re 200: {thin}");
+    assert!(thick <= 0.02 && thin <= 0.02, "{thick} {thin}");
+}

@@ -1,0 +1,69 @@
+//! Grains in the free surface.
+
+use super::scene::{SIDE, Tank};
+use fluid_solver::backend::pfem::wall::Grip;
+use interface::frames::GrainRow;
+
+const RADIUS: f64 = 0.009;
+
+/// A grain at a height over the surface (m).
+fn at<const D: usize>(height: f64) -> GrainRow {
+    let mut position = std::array::from_fn(|k| if k < D { 0.43 * SIDE } else { 0.0 });
+    position[D - 1] = SIDE + height;
+    GrainRow { position, radius: RADIUS, mass: 1.0, ..GrainRow::default() }
+}
+
+fn crossing<const D: usize, const N: usize>(cells: usize) {
+    let mut tank = Tank::<D, N>::new(cells, Grip::Slip);
+    let places = 400;
+    let heights = (0..=places).map(|n| RADIUS * (1.5 - 3.0 * n as f64 / places as f64));
+    let mut last: Option<(f64, [f64; 3])> = None;
+    for height in heights {
+        tank.grains.populate(&tank.cloud, &[at::<D>(height)]).unwrap();
+        tank.grains.prepare_samples();
+        let sample = tank.grains.sample(0);
+        // Buoyancy by Archimedes.
+        let depth = (-height / RADIUS).clamp(-1.0, 1.0);
+        let below = match D {
+            2 => 0.5 + (depth.asin() + depth * (1.0 - depth * depth).sqrt()) / std::f64::consts::PI,
+            _ => 0.25 * (2.0 + 3.0 * depth - depth.powi(3)),
+        };
+        assert!((sample.wetted_fraction - below).abs() <= 1e-12, "{} {below}", sample.wetted_fraction);
+        assert_eq!(sample.density == 0.0, below == 0.0);
+        let spread = tank.grains.void_fraction().iter().zip(tank.grains.mesh().measure());
+        let spread: f64 = spread.map(|(void, measure)| (1.0 - void) * measure).sum();
+        let volume = match D {
+            2 => std::f64::consts::PI * RADIUS.powi(2),
+            _ => 4.0 / 3.0 * std::f64::consts::PI * RADIUS.powi(3),
+        };
+        assert!((spread - below * volume).abs() <= 1e-12 * volume, "{spread} {}", below * volume);
+        let slope = sample.pressure_gradient.map(|slope| slope * sample.wetted_fraction);
+        if let Some((fraction, force)) = last {
+            assert!(sample.wetted_fraction >= fraction);
+            // No jump: a place is 0.75 % of a radius from the next.
+            let jump = (0..3).map(|k| (slope[k] - force[k]).abs()).fold(0.0, f64::max);
+            assert!(jump <= 0.01 * 9810.0, "{height}: {jump}");
+        }
+        last = Some((sample.wetted_fraction, slope));
+    }
+}
+
+#[test]
+fn a_grain_that_sinks_through_the_surface_is_wet_by_its_share_below_without_a_jump() {
+    crossing::<2, 3>(10);
+    crossing::<3, 4>(5);
+}
+
+#[test]
+fn a_grain_at_a_wall_under_water_is_wet() {
+    let mut tank = Tank::<2, 3>::new(10, Grip::Slip);
+    let grain = |x: f64| GrainRow { position: [x, 0.3 * SIDE, 0.0], ..at::<2>(0.0) };
+    tank.grains.populate(&tank.cloud, &[grain(RADIUS), grain(0.5 * RADIUS), grain(-0.1 * RADIUS)]).unwrap();
+    tank.grains.prepare_samples();
+    for row in 0..3 {
+        assert_eq!(tank.grains.sample(row).wetted_fraction, 1.0, "{row}");
+    }
+    tank.grains.populate(&tank.cloud, &[grain(-2.0 * RADIUS)]).unwrap();
+    tank.grains.prepare_samples();
+    assert_eq!(tank.grains.sample(0).wetted_fraction, 0.0);
+}
