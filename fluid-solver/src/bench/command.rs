@@ -44,12 +44,15 @@ pub struct Arguments {
 enum Computed {
     /// Fixed mesh.
     Eulerian,
+    /// Mesh that moves with the fluid.
+    Pfem,
 }
 
 impl Computed {
     fn backend(self) -> (Backend, &'static str) {
         match self {
             Self::Eulerian => (Backend::Eulerian, "eulerian"),
+            Self::Pfem => (Backend::Pfem, "pfem"),
         }
     }
 }
