@@ -86,6 +86,9 @@ impl<const D: usize, const N: usize> Start<'_, D, N> {
     }
 }
 
+/// A step may always be shorter than this (s): finite, as a polynomial is to be evaluated there.
+const HORIZON: f64 = 1e6;
+
 /// Solves steps; holds nothing that a step depends on but what fluid it is.
 pub struct Flow<const D: usize, const N: usize> {
     fluid: Fluid,
@@ -140,7 +143,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
     pub fn largest_step(&self, cloud: &Cloud<D, N>) -> f64 {
-        self.first_breach(cloud, &cloud.velocity, f64::INFINITY).map_or(f64::INFINITY, |(_, time)| time)
+        self.first_breach(cloud, &cloud.velocity, HORIZON).map_or(f64::INFINITY, |(_, time)| time)
     }
 
     /// The cell that leaves its bounds first, and when.
