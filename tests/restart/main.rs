@@ -46,7 +46,8 @@ fn a_dam_break_resumes_to_the_same_bytes() {
         "output.frames=\"0.12 s\"",
     ];
     let through = run(&case, &folder.join("through"), &changes, &[]);
-    let mut live = Live::start(&case, &folder.join("killed"), &changes, &["--hold", "fluid-solver:310:commit"]);
+    let mut live =
+        Live::start(&case, &folder.join("killed"), &changes, &["--hold", "fluid-solver:310:commit"]);
     live.wait_held();
     for pid in live.solvers().iter().map(|(pid, _)| *pid).chain([live.child.id()]) {
         signal(pid, "KILL");
