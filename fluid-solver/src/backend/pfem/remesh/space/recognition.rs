@@ -9,7 +9,7 @@ use crate::element::simplex::{Vector, longest_edge};
 /// A cell between inner nodes with edges shorter than this many h cannot hold void.
 const DENSE: f64 = 1.5;
 /// A cell with an edge longer than this many h is void.
-const LONGEST: f64 = 5.0;
+const LONGEST: f64 = 3.0;
 /// Weight of the middle of a cell among its samples; those towards its corners weigh 1 each.
 const MIDDLE: f64 = 1.5;
 
@@ -36,7 +36,12 @@ fn existed(cloud: &Cloud<3, 4>, stars: &mut Stars, corners: &[u32; 4], vertices:
     let middle: Vector<3> = std::array::from_fn(|k| 0.25 * vertices.iter().map(|x| x[k]).sum::<f64>());
     let covered = |point: Vector<3>| stars.cover(cloud, &point) > 0;
     let towards = |x: &Vector<3>| std::array::from_fn(|k| 0.4 * middle[k] + 0.6 * x[k]);
-    let count = vertices.iter().filter(|x| covered(towards(x))).count();
-    let weight = count as f64 + if covered(middle) { MIDDLE } else { 0.0 };
-    weight >= 0.5 * (4.0 + MIDDLE)
+    let mut lacking = 0.5 * (4.0 + MIDDLE) - if covered(middle) { MIDDLE } else { 0.0 };
+    for (tried, x) in vertices.iter().enumerate() {
+        if lacking <= 0.0 || lacking > (4 - tried) as f64 {
+            break;
+        }
+        lacking -= if covered(towards(x)) { 1.0 } else { 0.0 };
+    }
+    lacking <= 0.0
 }

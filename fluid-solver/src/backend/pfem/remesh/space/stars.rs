@@ -55,24 +55,31 @@ impl Stars {
         self.cells[self.range(corners[0])].iter().any(same)
     }
 
-    /// Collects the cells around some nodes and their neighbours.
+    /// Collects those of the cells around some nodes, and of their neighbours, whose boxes meet that of the nodes.
     pub fn gather(&mut self, cloud: &Cloud<3, 4>, nodes: &[u32; 4]) {
+        let bounds = Bounds::around(&cloud.vertices(nodes));
         self.visit += 1;
         self.near.clear();
         for &node in nodes {
-            for &cell in &self.cells[self.range(node)] {
-                if self.met[cell as usize] != self.visit {
-                    self.met[cell as usize] = self.visit;
-                    self.near.push(cell);
-                }
+            for index in self.range(node) {
+                self.meet(cloud, self.cells[index], &bounds);
             }
         }
         for index in 0..self.near.len() {
             for next in cloud.neighbours[self.near[index] as usize] {
-                if next != OUTSIDE && self.met[next as usize] != self.visit {
-                    self.met[next as usize] = self.visit;
-                    self.near.push(next);
+                if next != OUTSIDE {
+                    self.meet(cloud, next, &bounds);
                 }
+            }
+        }
+    }
+
+    fn meet(&mut self, cloud: &Cloud<3, 4>, cell: u32, bounds: &Bounds) {
+        let met = &mut self.met[cell as usize];
+        if *met != self.visit {
+            *met = self.visit;
+            if bounds.meets(&Bounds::around(&cloud.vertices(&cloud.cells[cell as usize]))) {
+                self.near.push(cell);
             }
         }
     }
@@ -84,14 +91,28 @@ impl Stars {
     }
 }
 
-/// The sign of the volume of a cell if the point lies in it, else zero.
-fn sign_inside(vertices: &[Vector<3>; 4], point: &Vector<3>) -> i32 {
-    for k in 0..3 {
-        let apart = |sign: f64| vertices.iter().all(|x| sign * (x[k] - point[k]) > 0.0);
-        if apart(1.0) || apart(-1.0) {
-            return 0;
+/// The least and the greatest coordinates of some points.
+struct Bounds {
+    low: Vector<3>,
+    high: Vector<3>,
+}
+
+impl Bounds {
+    fn around(points: &[Vector<3>; 4]) -> Self {
+        let [a, b, c, d] = points;
+        Self {
+            low: std::array::from_fn(|k| a[k].min(b[k]).min(c[k].min(d[k]))),
+            high: std::array::from_fn(|k| a[k].max(b[k]).max(c[k].max(d[k]))),
         }
     }
+
+    fn meets(&self, other: &Self) -> bool {
+        (0..3).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
+    }
+}
+
+/// The sign of the volume of a cell if the point lies in it, else zero.
+fn sign_inside(vertices: &[Vector<3>; 4], point: &Vector<3>) -> i32 {
     let (volume, areas) = volume_and_areas(vertices);
     let sign = volume.signum();
     // λ_i V = V ∇N_i · (x − x_j), j ≠ i.
