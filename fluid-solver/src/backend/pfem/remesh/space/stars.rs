@@ -12,6 +12,17 @@ pub struct Stars {
     met: Vec<u32>,
     visit: u32,
     near: Vec<u32>,
+    shapes: Vec<Shape>,
+}
+
+/// A cell of the moved mesh.
+#[derive(Clone, Copy, Debug)]
+struct Shape {
+    vertices: [Vector<3>; 4],
+    /// V∇N_i.
+    areas: [Vector<3>; 4],
+    /// Of the volume.
+    sign: f64,
 }
 
 impl Stars {
@@ -60,6 +71,7 @@ impl Stars {
         let bounds = Bounds::around(&cloud.vertices(nodes));
         self.visit += 1;
         self.near.clear();
+        self.shapes.clear();
         for &node in nodes {
             for index in self.range(node) {
                 self.meet(cloud, self.cells[index], &bounds);
@@ -78,16 +90,31 @@ impl Stars {
         let met = &mut self.met[cell as usize];
         if *met != self.visit {
             *met = self.visit;
-            if bounds.meets(&Bounds::around(&cloud.vertices(&cloud.cells[cell as usize]))) {
+            let vertices = cloud.vertices(&cloud.cells[cell as usize]);
+            if bounds.meets(&Bounds::around(&vertices)) {
                 self.near.push(cell);
+                self.shapes.push(Shape::new(vertices));
             }
         }
     }
 
     /// How often the cells gathered last cover a point; one that has turned over takes a cover away.
-    pub fn cover(&self, cloud: &Cloud<3, 4>, point: &Vector<3>) -> i32 {
-        let sign = |cell: &u32| sign_inside(&cloud.vertices(&cloud.cells[*cell as usize]), point);
-        self.near.iter().map(sign).sum()
+    pub fn cover(&self, point: &Vector<3>) -> i32 {
+        self.shapes.iter().filter(|shape| shape.holds(point)).map(|shape| shape.sign as i32).sum()
+    }
+}
+
+impl Shape {
+    fn new(vertices: [Vector<3>; 4]) -> Self {
+        let (volume, areas) = volume_and_areas(&vertices);
+        Self { vertices, areas, sign: volume.signum() }
+    }
+
+    /// Whether all V ∇N_i · (x − x_j) = λ_i V, j ≠ i, have the sign of V.
+    #[inline]
+    fn holds(&self, point: &Vector<3>) -> bool {
+        let share = |i: usize| dot(&self.areas[i], &difference(point, &self.vertices[(i + 1) % 4]));
+        (0..4).all(|i| self.sign * share(i) >= 0.0)
     }
 }
 
@@ -111,15 +138,6 @@ impl Bounds {
     }
 }
 
-/// The sign of the volume of a cell if the point lies in it, else zero.
-fn sign_inside(vertices: &[Vector<3>; 4], point: &Vector<3>) -> i32 {
-    let (volume, areas) = volume_and_areas(vertices);
-    let sign = volume.signum();
-    // λ_i V = V ∇N_i · (x − x_j), j ≠ i.
-    let share = |i: usize| dot(&areas[i], &difference(point, &vertices[(i + 1) % 4]));
-    if (0..4).all(|i| sign * share(i) >= 0.0) { sign as i32 } else { 0 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,8 +145,10 @@ mod tests {
     #[test]
     fn a_point_lies_in_a_cell_whichever_way_it_turns() {
         let cell = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let turned = [cell[1], cell[0], cell[2], cell[3]];
-        assert_eq!([sign_inside(&cell, &[0.2; 3]), sign_inside(&turned, &[0.2; 3])], [1, -1]);
-        assert_eq!(sign_inside(&cell, &[0.4; 3]), 0);
+        let [right, turned] = [cell, [cell[1], cell[0], cell[2], cell[3]]].map(Shape::new);
+        assert_eq!([right.sign, turned.sign], [1.0, -1.0]);
+        for shape in [right, turned] {
+            assert!(shape.holds(&[0.2; 3]) && !shape.holds(&[0.4; 3]));
+        }
     }
 }
