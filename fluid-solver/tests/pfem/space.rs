@@ -1,78 +1,118 @@
 //! Remeshing in space.
 
-use crate::support::{WATER, block, flow, gravity, largest_speed, tank, touch};
+use crate::support::{G, WATER, block, flow, gravity, largest_speed, tank, touch};
 use fluid_solver::backend::Step;
-use fluid_solver::backend::pfem::cloud::Cloud;
-use fluid_solver::backend::pfem::flow::FlowFault;
-use fluid_solver::backend::pfem::remesh::{Books, SpaceRemesher, TargetSize, energy};
-use fluid_solver::backend::pfem::wall::Grip;
+use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
+use fluid_solver::backend::pfem::flow::{Flow, FlowFault};
+use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, TargetSize, energy};
+use fluid_solver::backend::pfem::wall::{Grip, Wall};
+use fluid_solver::element::simplex::volume_and_areas;
 
-#[test]
-fn trial() {
-    let n: usize = std::env::var("N").map_or(6, |n| n.parse().unwrap());
-    let h = 0.1 / n as f64;
-    let mut cloud: Cloud<3, 4> = block([0.1, 0.05, 0.1], [n, n / 2, n], 0.0);
-    let walls = tank([0.3, 0.05, 0.3], Grip::Slip);
-    touch(&mut cloud, &walls);
-    let mut books = Books::start(&cloud);
-    let v0 = books.volume.target;
-    let mut remesher = SpaceRemesher::default();
-    let mut flow = flow(WATER, 1e-6);
-    let e = |c: &Cloud<3, 4>| {
-        let e = energy(c);
-        e.kinetic + 9.81 * e.moment[2]
-    };
-    let e0 = e(&cloud);
-    let mut time = 0.0;
-    let (mut t_flow, mut t_mesh, mut steps, mut lost, mut its) = (0.0, 0.0, 0, 0, 0);
-    let mut worst = 0f64;
-    let mut next = 0.0;
-    let end: f64 = std::env::var("T").map_or(0.3, |n| n.parse().unwrap());
-    while time < end {
-        let mut length = 1e-3f64;
-        let c = std::time::Instant::now();
-        loop {
-            match flow.solve(&cloud, &walls, Step { time, length }, &gravity()) {
-                Ok(s) => {
-                    its += s.iterations;
-                    s.advance(&mut cloud, Step { time, length });
-                    break;
-                }
-                Err(FlowFault::Inverted { cell, bound, .. }) => {
-                    lost += 1;
-                    length = (0.5 * length).min(0.9 * bound);
-                    if length < 1e-6 {
-                        panic!("{time} {cell} {:?}", cloud.cells[cell].map(|n| cloud.place[n as usize]))
-                    }
-                }
-                Err(f) => panic!("{time} {f:?}"),
+/// One step of flow and remeshing, shorter where it would turn a cell over; returns its length and how often it was halved.
+fn step(
+    (flow, remesher): (&mut Flow<3, 4>, &mut SpaceRemesher),
+    cloud: &mut Cloud<3, 4>,
+    walls: &[Wall<3>],
+    size: f64,
+    mut step: Step,
+    books: &mut Books<3>,
+) -> (f64, usize) {
+    for halved in 0..12 {
+        match flow.solve(cloud, walls, step, &gravity()) {
+            Ok(solution) => {
+                solution.advance(cloud, step);
+                let end = step.time + step.length;
+                remesher.remesh(cloud, walls, end, &TargetSize::Constant(size), books).unwrap();
+                return (step.length, halved);
             }
-        }
-        t_flow += c.elapsed().as_secs_f64();
-        time += length;
-        let c = std::time::Instant::now();
-        let events = remesher.remesh(&mut cloud, &walls, time, &TargetSize::Constant(h), &mut books).unwrap();
-        t_mesh += c.elapsed().as_secs_f64();
-        steps += 1;
-        worst = worst.max((books.volume.missing() / v0).abs());
-        if time >= next {
-            next += 0.02;
-            let front = cloud.place.iter().map(|x| x[0]).fold(0.0, f64::max);
-            println!(
-                "t {time:.3} nodes {} cells {} front {front:.3} vol {:.2e} drops {:.1e} E/E0 {:.4} speed {:.2} lost {lost} its {its} {events:?}",
-                cloud.place.len(),
-                cloud.cells.len(),
-                books.volume.missing() / v0,
-                books.volume.drops / v0,
-                e(&cloud) / e0,
-                largest_speed(&cloud)
-            );
+            Err(FlowFault::Inverted { bound, .. }) => step.length = bound.min(0.5 * step.length),
+            Err(fault) => panic!("{fault}"),
         }
     }
-    println!(
-        "steps {steps} lost {lost} worst {worst:.2e} flow {:.1} us/node mesh {:.2} us/node\n{:?}",
-        t_flow / steps as f64 / cloud.place.len() as f64 * 1e6,
-        t_mesh / steps as f64 / cloud.place.len() as f64 * 1e6,
-        books.volume
-    );
+    panic!("no step is short enough at t = {} s", step.time)
+}
+
+#[test]
+fn a_tank_in_space_stays_flat_for_a_thousand_steps_of_remeshing() {
+    const DEPTH: f64 = 0.3;
+    let walls = tank([DEPTH; 3], Grip::Slip);
+    let mut cloud: Cloud<3, 4> = block([DEPTH; 3], [5, 4, 6], 0.0);
+    touch(&mut cloud, &walls);
+    cloud.pressure = cloud.place.iter().map(|x| WATER.density * G * (DEPTH - x[2])).collect();
+    let (start, mut books) = (cloud.clone(), Books::start(&cloud));
+    let (mut flow, mut remesher) = (flow(WATER, 1e-6), SpaceRemesher::default());
+    for n in 0..1000 {
+        let at = Step { time: n as f64 * 1e-3, length: 1e-3 };
+        assert_eq!(step((&mut flow, &mut remesher), &mut cloud, &walls, 0.06, at, &mut books), (1e-3, 0));
+        assert!(largest_speed(&cloud) <= 1e-10);
+    }
+    for (x, start) in cloud.place.iter().zip(&start.place) {
+        assert!((0..3).all(|k| (x[k] - start[k]).abs() <= 1e-10 * DEPTH));
+    }
+    assert_eq!(cloud.cells, start.cells);
+    assert!(books.volume.missing().abs() <= 1e-12 * books.volume.target);
+}
+
+#[test]
+fn a_dam_that_breaks_in_space_and_hits_the_wall_keeps_its_volume_and_loses_energy() {
+    const SIDE: f64 = 0.1;
+    const CELLS: usize = 6;
+    let walls = tank([2.5 * SIDE, 0.5 * SIDE, 3.0 * SIDE], Grip::Slip);
+    let mut cloud: Cloud<3, 4> = block([SIDE, 0.5 * SIDE, SIDE], [CELLS, CELLS / 2, CELLS], 0.0);
+    touch(&mut cloud, &walls);
+    let mut books = Books::start(&cloud);
+    let mechanical = |cloud: &Cloud<3, 4>| {
+        let energy = energy(cloud);
+        energy.kinetic + G * energy.moment[2]
+    };
+    let (volume, mut highest) = (books.volume.target, mechanical(&cloud));
+    let start = highest;
+    let (mut flow, mut remesher) = (flow(WATER, 1e-6), SpaceRemesher::default());
+    let (mut time, mut steps, mut halved, mut worst) = (0.0, 0, 0, 0.0f64);
+    while time < 0.25 {
+        let at = Step { time, length: 1e-3 };
+        let size = SIDE / CELLS as f64;
+        let (length, halves) = step((&mut flow, &mut remesher), &mut cloud, &walls, size, at, &mut books);
+        (time, steps, halved) = (time + length, steps + 1, halved + halves);
+        worst = worst.max(books.volume.missing().abs() / volume);
+        highest = highest.max(mechanical(&cloud));
+        assert!(cloud.cells.iter().all(|cell| volume_and_areas(&cloud.vertices(cell)).0 > 0.0));
+    }
+    let front = cloud.place.iter().map(|x| x[0]).fold(0.0, f64::max);
+    assert!((front - 2.5 * SIDE).abs() < 1e-9, "{front}");
+    assert!(worst <= 5e-3, "{worst}");
+    assert!(highest <= start * (1.0 + 1e-6) && mechanical(&cloud) < 0.99 * start, "{highest} {start}");
+    assert!(halved * 10 <= steps, "{halved} of {steps}");
+}
+
+#[test]
+fn a_block_that_is_stretched_and_sheared_keeps_its_volume() {
+    let flows: [fn([f64; 3]) -> [f64; 3]; 2] =
+        [|[x, y, z]| [0.5 * x, -0.25 * y, -0.25 * z], |[_, _, z]| [0.8 * z, 0.0, 0.0]];
+    for velocity in flows {
+        let mut cloud: Cloud<3, 4> = block([1.0; 3], [8; 3], 0.0);
+        let (mut books, mut remesher) = (Books::start(&cloud), SpaceRemesher::default());
+        for n in 0..100 {
+            for x in &mut cloud.place {
+                let v = velocity(*x);
+                (0..3).for_each(|k| x[k] += 0.02 * v[k]);
+            }
+            let size = TargetSize::Constant(0.125);
+            remesher.remesh(&mut cloud, &[], 0.02 * n as f64, &size, &mut books).unwrap();
+            assert!(books.volume.missing().abs() <= 5e-3, "{} in step {n}", books.volume.missing());
+        }
+    }
+}
+
+#[test]
+fn bare_nodes_on_a_grid_become_the_box_they_fill() {
+    let mut cloud: Cloud<3, 4> = block([1.0, 0.5, 0.75], [8, 4, 6], 0.0);
+    cloud.cells.clear();
+    cloud.neighbours.clear();
+    let mut remesher = SpaceRemesher::new(Recognition::AlphaShape { alpha: 1.2 });
+    let mut books = Books::start(&cloud);
+    remesher.remesh(&mut cloud, &[], 0.0, &TargetSize::Constant(0.125), &mut books).unwrap();
+    assert!((books.volume.cells - 0.375).abs() < 1e-12 && books.volume.drops == 0.0);
+    let surface = cloud.neighbours.iter().flatten().filter(|next| **next == OUTSIDE).count();
+    assert_eq!(surface, 4 * (8 * 4 + 8 * 6 + 4 * 6));
 }

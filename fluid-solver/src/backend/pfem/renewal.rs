@@ -1,7 +1,7 @@
 //! Whatever finds the mesh between moved nodes.
 
 use super::cloud::Cloud;
-use super::remesh::{Books, Events, Remesher, TargetSize};
+use super::remesh::{Books, Events, Remesher, SpaceRemesher, TargetSize};
 use super::wall::Wall;
 
 /// Finds the mesh at t_{n+1} between nodes that moved.
@@ -28,6 +28,19 @@ impl Renewal<2, 3> for Remesher<2, 3> {
         time: f64,
         size: &TargetSize,
         books: &mut Books<2>,
+    ) -> Result<Events, delaunay::Error> {
+        self.remesh(cloud, walls, time, size, books)
+    }
+}
+
+impl Renewal<3, 4> for SpaceRemesher {
+    fn renew(
+        &mut self,
+        cloud: &mut Cloud<3, 4>,
+        walls: &[Wall<3>],
+        time: f64,
+        size: &TargetSize,
+        books: &mut Books<3>,
     ) -> Result<Events, delaunay::Error> {
         self.remesh(cloud, walls, time, size, books)
     }

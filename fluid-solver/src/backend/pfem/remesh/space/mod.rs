@@ -13,6 +13,7 @@ mod tetrahedra;
 mod unchanged;
 
 use super::draft::Draft;
+use super::recognition::Recognition;
 use super::topology::Events;
 use super::transfer;
 use super::{Books, TargetSize, energy, volume};
@@ -25,9 +26,11 @@ use tetrahedra::Tetrahedra;
 /// A cover counted twice larger than this share of h³ is a blow of fluid on fluid.
 const BLOW: f64 = 0.1;
 
-/// Finds the mesh of moved nodes in space; all of it is scratch.
+/// Finds the mesh of moved nodes in space; all but the rule is scratch.
 #[derive(Default)]
 pub struct SpaceRemesher {
+    /// How the fluid is told from the void.
+    pub recognition: Recognition,
     draft: Draft<3>,
     stars: Stars,
     tetrahedra: Tetrahedra,
@@ -36,6 +39,11 @@ pub struct SpaceRemesher {
 }
 
 impl SpaceRemesher {
+    /// A remesher with a rule.
+    pub fn new(recognition: Recognition) -> Self {
+        Self { recognition, ..Self::default() }
+    }
+
     /// The mesh of a cloud whose nodes were moved: on entry its cells are those before the move.
     ///
     /// Σ m_i v_i over cells and drops (m_i a quarter of the cells around a node) is kept to round-off.
@@ -50,7 +58,7 @@ impl SpaceRemesher {
         size: &TargetSize,
         books: &mut Books<3>,
     ) -> Result<Events, delaunay::Error> {
-        let Self { draft, stars, tetrahedra, gradient, volumes } = self;
+        let Self { recognition, draft, stars, tetrahedra, gradient, volumes } = self;
         let energy_before = energy(cloud);
         draft.read_nodes(cloud, size);
         surface::read(cloud, draft);
@@ -71,7 +79,12 @@ impl SpaceRemesher {
         let mut events = Events::default();
         if draft.edited || cloud.cells.is_empty() || !unchanged::still_delaunay(cloud) {
             tetrahedra.triangulate(cloud, draft)?;
-            recognition::recognise(cloud, draft, stars, tetrahedra);
+            match *recognition {
+                Recognition::MovedDomain => recognition::moved_domain(cloud, draft, stars, tetrahedra),
+                Recognition::AlphaShape { alpha } => {
+                    recognition::alpha_shape(cloud, draft, alpha, tetrahedra)
+                }
+            }
             let recognised = tetrahedra.fluid_volume(cloud);
             book.overlap.add(recognised - managed);
             let smallest = draft.size.iter().copied().fold(f64::INFINITY, f64::min);

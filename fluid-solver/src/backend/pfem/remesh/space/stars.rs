@@ -12,6 +12,17 @@ pub struct Stars {
     met: Vec<u32>,
     visit: u32,
     near: Vec<u32>,
+    shapes: Vec<Shape>,
+}
+
+/// A cell of the moved mesh.
+#[derive(Clone, Copy, Debug)]
+struct Shape {
+    vertices: [Vector<3>; 4],
+    /// V∇N_i.
+    areas: [Vector<3>; 4],
+    /// Of the volume.
+    sign: f64,
 }
 
 impl Stars {
@@ -55,48 +66,76 @@ impl Stars {
         self.cells[self.range(corners[0])].iter().any(same)
     }
 
-    /// Collects the cells around some nodes and their neighbours.
+    /// Collects those of the cells around some nodes, and of their neighbours, whose boxes meet that of the nodes.
     pub fn gather(&mut self, cloud: &Cloud<3, 4>, nodes: &[u32; 4]) {
+        let bounds = Bounds::around(&cloud.vertices(nodes));
         self.visit += 1;
         self.near.clear();
+        self.shapes.clear();
         for &node in nodes {
-            for &cell in &self.cells[self.range(node)] {
-                if self.met[cell as usize] != self.visit {
-                    self.met[cell as usize] = self.visit;
-                    self.near.push(cell);
-                }
+            for index in self.range(node) {
+                self.meet(cloud, self.cells[index], &bounds);
             }
         }
         for index in 0..self.near.len() {
             for next in cloud.neighbours[self.near[index] as usize] {
-                if next != OUTSIDE && self.met[next as usize] != self.visit {
-                    self.met[next as usize] = self.visit;
-                    self.near.push(next);
+                if next != OUTSIDE {
+                    self.meet(cloud, next, &bounds);
                 }
+            }
+        }
+    }
+
+    fn meet(&mut self, cloud: &Cloud<3, 4>, cell: u32, bounds: &Bounds) {
+        let met = &mut self.met[cell as usize];
+        if *met != self.visit {
+            *met = self.visit;
+            let vertices = cloud.vertices(&cloud.cells[cell as usize]);
+            if bounds.meets(&Bounds::around(&vertices)) {
+                self.near.push(cell);
+                self.shapes.push(Shape::new(vertices));
             }
         }
     }
 
     /// How often the cells gathered last cover a point; one that has turned over takes a cover away.
-    pub fn cover(&self, cloud: &Cloud<3, 4>, point: &Vector<3>) -> i32 {
-        let sign = |cell: &u32| sign_inside(&cloud.vertices(&cloud.cells[*cell as usize]), point);
-        self.near.iter().map(sign).sum()
+    pub fn cover(&self, point: &Vector<3>) -> i32 {
+        self.shapes.iter().filter(|shape| shape.holds(point)).map(|shape| shape.sign as i32).sum()
     }
 }
 
-/// The sign of the volume of a cell if the point lies in it, else zero.
-fn sign_inside(vertices: &[Vector<3>; 4], point: &Vector<3>) -> i32 {
-    for k in 0..3 {
-        let apart = |sign: f64| vertices.iter().all(|x| sign * (x[k] - point[k]) > 0.0);
-        if apart(1.0) || apart(-1.0) {
-            return 0;
+impl Shape {
+    fn new(vertices: [Vector<3>; 4]) -> Self {
+        let (volume, areas) = volume_and_areas(&vertices);
+        Self { vertices, areas, sign: volume.signum() }
+    }
+
+    /// Whether all V ∇N_i · (x − x_j) = λ_i V, j ≠ i, have the sign of V.
+    #[inline]
+    fn holds(&self, point: &Vector<3>) -> bool {
+        let share = |i: usize| dot(&self.areas[i], &difference(point, &self.vertices[(i + 1) % 4]));
+        (0..4).all(|i| self.sign * share(i) >= 0.0)
+    }
+}
+
+/// The least and the greatest coordinates of some points.
+struct Bounds {
+    low: Vector<3>,
+    high: Vector<3>,
+}
+
+impl Bounds {
+    fn around(points: &[Vector<3>; 4]) -> Self {
+        let [a, b, c, d] = points;
+        Self {
+            low: std::array::from_fn(|k| a[k].min(b[k]).min(c[k].min(d[k]))),
+            high: std::array::from_fn(|k| a[k].max(b[k]).max(c[k].max(d[k]))),
         }
     }
-    let (volume, areas) = volume_and_areas(vertices);
-    let sign = volume.signum();
-    // λ_i V = V ∇N_i · (x − x_j), j ≠ i.
-    let share = |i: usize| dot(&areas[i], &difference(point, &vertices[(i + 1) % 4]));
-    if (0..4).all(|i| sign * share(i) >= 0.0) { sign as i32 } else { 0 }
+
+    fn meets(&self, other: &Self) -> bool {
+        (0..3).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
+    }
 }
 
 #[cfg(test)]
@@ -106,8 +145,10 @@ mod tests {
     #[test]
     fn a_point_lies_in_a_cell_whichever_way_it_turns() {
         let cell = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let turned = [cell[1], cell[0], cell[2], cell[3]];
-        assert_eq!([sign_inside(&cell, &[0.2; 3]), sign_inside(&turned, &[0.2; 3])], [1, -1]);
-        assert_eq!(sign_inside(&cell, &[0.4; 3]), 0);
+        let [right, turned] = [cell, [cell[1], cell[0], cell[2], cell[3]]].map(Shape::new);
+        assert_eq!([right.sign, turned.sign], [1.0, -1.0]);
+        for shape in [right, turned] {
+            assert!(shape.holds(&[0.2; 3]) && !shape.holds(&[0.4; 3]));
+        }
     }
 }
