@@ -3,11 +3,12 @@
 use super::super::draft::{Draft, area, height};
 use super::super::tessellation::Tessellation;
 use crate::backend::pfem::cloud::Cloud;
+use delaunay::HULL;
 
 /// A cell between two surfaces breaks when it is thinner than this share of h.
 const THINNEST: f64 = 0.05;
 
-/// Breaks thin cells with all corners on the surface. Nodes that lose their last cell become drops with its volume.
+/// Breaks thin cells that have all corners on the surface and a side that is open: others would leave a hole. Nodes that lose their last cell become drops with its volume.
 /// Returns the number of cells and the area that is in none of the drops.
 pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut Tessellation) -> (u32, f64) {
     let mut exposed = vec![false; cloud.place.len()];
@@ -23,7 +24,8 @@ pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut 
         let nodes = triangles.nodes(triangle);
         let h = nodes.map(|node| draft.size[node as usize]).iter().sum::<f64>() / 3.0;
         let thin = || height(&triangles.vertices(triangle)) < THINNEST * h;
-        if triangles.fluid[triangle] && nodes.iter().all(|&node| exposed[node as usize]) && thin() {
+        let between_surfaces = nodes.iter().all(|&node| exposed[node as usize]);
+        if triangles.fluid[triangle] && between_surfaces && thin() && open(cloud, triangles, triangle) {
             broken.push(triangle);
         }
     }
@@ -43,4 +45,16 @@ pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut 
         }
     }
     (broken.len() as u32, lost)
+}
+
+/// Whether a side of the triangle borders on void.
+fn open(cloud: &Cloud<2, 3>, triangles: &Tessellation, triangle: usize) -> bool {
+    let nodes = triangles.nodes(triangle);
+    (0..3).any(|i| match triangles.neighbours(triangle)[i] {
+        HULL => {
+            let [a, b] = [1, 2].map(|k| cloud.contacts[nodes[(i + k) % 3] as usize]);
+            a.common(b).is_empty()
+        }
+        next => !triangles.fluid[next as usize],
+    })
 }
