@@ -156,8 +156,9 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
     }
 
     fn populate(&mut self, _time: f64, grains: &[GrainRow]) -> Result<(), FluidError> {
-        self.grains.populate(&self.state.cloud, grains)?;
-        self.state.fluid_volume = self.state.books.volume.target - self.grains.wetted_volume();
+        if self.grains.populate(&self.state.cloud, grains)? {
+            self.state.fluid_volume = self.state.books.volume.target - self.grains.wetted_volume();
+        }
         Ok(())
     }
 
@@ -249,11 +250,15 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
 
     fn save_checkpoint<'a>(&'a self, writer: CheckpointWriter<'a>) -> CheckpointWriter<'a> {
         super::checkpoint::save(&self.state, writer)
+            .array::<f64>("samples", bytemuck::cast_slice(self.grains.samples()))
     }
 
     fn load_checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), FluidError> {
         self.state = super::checkpoint::load(checkpoint)?;
         self.grains.begin(&self.state.cloud)?;
+        let samples: Vec<f64> = checkpoint.array("samples")?;
+        let samples: &[SampleRow] = bytemuck::try_cast_slice(&samples).unwrap_or_default();
+        self.grains.resume(samples.to_vec());
         self.save();
         Ok(())
     }

@@ -56,6 +56,10 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
     velocity: Vec<Vector<D>>,
     recovered: Vec<Recovered<D>>,
     places: Vec<Vector<D>>,
+    /// What the grains sampled last.
+    samples: Vec<SampleRow>,
+    /// Those are of the run that is gone on with: the mesh that they were taken on is no more.
+    resumed: bool,
 }
 
 impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
@@ -82,6 +86,8 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             velocity: Vec::new(),
             recovered: Vec::new(),
             places: Vec::new(),
+            samples: Vec::new(),
+            resumed: false,
         }
     }
 
@@ -110,11 +116,22 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
         self.grains.wetted_volume()
     }
 
-    /// Takes the grains at t_n, and what the fluid is then.
+    /// What the grains sampled last, for a checkpoint.
+    pub fn samples(&self) -> &[SampleRow] {
+        &self.samples
+    }
+
+    /// Goes on with grains that sampled this; they are to be populated.
+    pub fn resume(&mut self, samples: Vec<SampleRow>) {
+        (self.samples, self.resumed) = (samples, true);
+    }
+
+    /// Takes the grains at t_n, and what the fluid is then; whether they are others than those gone on with.
     ///
     /// # Errors
     /// A position that is not finite, ε below its floor.
-    pub fn populate(&mut self, cloud: &Cloud<D, N>, rows: &[GrainRow]) -> Result<(), FluidError> {
+    pub fn populate(&mut self, cloud: &Cloud<D, N>, rows: &[GrainRow]) -> Result<bool, FluidError> {
+        self.resumed &= rows.len() == self.samples.len();
         self.rows.clear();
         self.rows.extend_from_slice(rows);
         self.begin(cloud)?;
@@ -123,7 +140,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             self.velocity.clone_from(&cloud.velocity);
             self.recover(&cloud.velocity, &cloud.pressure, &steady);
         }
-        Ok(())
+        Ok(!self.resumed)
     }
 
     /// Begins a window on a cloud with other cells, the grains where they are: ε(t_n) is theirs.
@@ -255,14 +272,20 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Samples the fields recovered last at all grains.
     pub fn prepare_samples(&mut self) {
+        if std::mem::take(&mut self.resumed) {
+            return;
+        }
+        self.samples.clear();
         if !self.rows.is_empty() {
             self.grains.sample(&self.velocity, &self.recovered);
+            let row = |row: usize| self.grains.row(row, &self.measure, self.medium, self.depth);
+            self.samples.extend((0..self.rows.len()).map(row));
         }
     }
 
     /// What a grain samples.
     pub fn sample(&self, row: usize) -> SampleRow {
-        self.grains.row(row, &self.measure, self.medium, self.depth)
+        self.samples[row]
     }
 
     /// The nodes at x_n + t v̂.
