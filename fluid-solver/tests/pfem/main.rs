@@ -2,4 +2,5 @@
 
 mod flow;
 mod grains;
+mod remesh;
 mod support;

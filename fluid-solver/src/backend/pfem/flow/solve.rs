@@ -226,7 +226,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let scale = self.volume_scale(start);
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
-            let implicitness = self.control.implicitness;
+            let implicitness = self.implicitness;
             let Self { assembly, excess, porous, contact, right, increment, rows, krylov, .. } = self;
             let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
@@ -301,7 +301,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         self.assembly.place(topology, place, inertia, viscosity);
         if let Some(suspension) = &forces.grains {
             let cells = &self.assembly.cells;
-            let implicitness = self.control.implicitness;
+            let implicitness = self.implicitness;
             Suspended::fill(suspension, implicitness, topology.cells(), cells, &mut self.porous);
             self.assembly.share_volume(topology, &self.porous);
         }
@@ -310,7 +310,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             *e = std::array::from_fn(|k| inertia * (v[k] - before[k]) - density * forces.gravity[k]);
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);
-        let grains = start.suspended(&self.porous, self.control.implicitness);
+        let grains = start.suspended(&self.porous, self.implicitness);
         let grains = grains.map(|grains| (grains, Part::Affine));
         let fields = Fields { velocity, pressure, excess: &self.excess, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
@@ -325,7 +325,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// Rows of volume times (ρ/(θΔt) + d/(θV)) and the spacing have the size of forces (N s/m³).
     fn volume_scale(&self, start: Start<'_, D, N>) -> f64 {
         let (nodes, volumes) = (start.cloud.place.len(), vector::sum(&self.assembly.volumes));
-        let drag = start.suspended(&self.porous, self.control.implicitness).map_or(0.0, |grains| {
+        let drag = start.suspended(&self.porous, self.implicitness).map_or(0.0, |grains| {
             let resistance: f64 = (0..nodes).map(|node| grains.resistance(node)).sum();
             resistance / volumes
         });
@@ -343,7 +343,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     ) -> (f64, f64) {
         let inertia = self.inertia(start.step);
         let weight = self.fluid.density * dot(&start.forces.gravity, &start.forces.gravity).sqrt();
-        let implicitness = self.control.implicitness;
+        let implicitness = self.implicitness;
         let Self { assembly, porous, right, .. } = self;
         let grains = start.suspended(porous, implicitness);
         let (momentum, force) = right.split_at_mut(velocity.len());
@@ -431,7 +431,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             contacts: self.contact.touched.clone(),
             reaction,
             mass,
-            implicitness: self.control.implicitness,
+            implicitness: self.implicitness,
             iterations: progress.iterations,
             passes: progress.passes,
             residuals: progress.residuals,

@@ -65,12 +65,13 @@ impl Remesher<2, 3> {
 
         let moved = correction::enclosed(cloud, &self.draft);
         book.flow.add(moved - book.cells);
-        let change = management::manage(cloud, &mut self.draft, walls, time);
-        book.management.add(change);
-        let missing = book.target - moved - change - cloud.drop.iter().sum::<f64>();
+        management::manage(cloud, &mut self.draft, walls, time);
+        let managed = correction::enclosed(cloud, &self.draft);
+        book.management.add(managed - moved);
+        let missing = book.target - managed - cloud.drop.iter().sum::<f64>();
         correction::restore(cloud, &self.draft, walls, time, missing, &mut self.gradient);
         let restored = correction::enclosed(cloud, &self.draft);
-        book.correction.add(restored - moved - change);
+        book.correction.add(restored - managed);
 
         let (draft, triangles) = (&mut self.draft, &mut self.triangles);
         let mut events = Events::default();

@@ -66,6 +66,12 @@ impl Tessellation {
         self.made.triangulation.neighbours[triangle]
     }
 
+    /// Whether all corners touch the same wall.
+    pub fn along_one_wall(&self, cloud: &Cloud<2, 3>, triangle: usize) -> bool {
+        let [a, b, c] = self.nodes(triangle).map(|node| cloud.contacts[node as usize]);
+        !a.common(b).common(c).is_empty()
+    }
+
     /// Whether the neighbour is fluid.
     pub fn fluid_across(&self, triangle: usize, corner: usize) -> bool {
         let neighbour = self.neighbours(triangle)[corner];

@@ -11,7 +11,8 @@ const SMALLEST: f64 = 0.5;
 /// Fills small voids; returns their number and area.
 pub fn fill_small_voids(cloud: &Cloud<2, 3>, draft: &Draft, triangles: &mut Tessellation) -> (u32, f64) {
     let (mut count, mut volume) = (0, 0.0);
-    let mut seen = triangles.fluid.clone();
+    let mut seen: Vec<bool> =
+        (0..triangles.len()).map(|t| triangles.fluid[t] || triangles.along_one_wall(cloud, t)).collect();
     let mut void = Vec::new();
     for seed in 0..triangles.len() {
         if seen[seed] {
