@@ -206,6 +206,6 @@ impl Participant for FluidParticipant {
 
     fn stop(&mut self, _reason: &str) -> Usage {
         let parts = PARTS.iter().zip(self.seconds).map(|(name, seconds)| (name.to_string(), seconds));
-        Usage { parts: parts.collect(), ..own_usage() }
+        Usage { parts: parts.collect(), counters: self.backend.counters(), ..own_usage() }
     }
 }

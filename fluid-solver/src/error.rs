@@ -1,5 +1,6 @@
 //! What ends a fluid solver.
 
+use crate::backend::pfem::flow::FlowFault;
 use crate::boundary::BoundaryError;
 use crate::mesh::MeshError;
 use crate::void_fraction::VoidFractionError;
@@ -8,6 +9,7 @@ use case_io::exit_code::ExitCode;
 use case_io::output::OutputError;
 use interface::InterfaceError;
 use interface::message::Failure;
+use surface::InputError;
 use thiserror::Error;
 
 /// An error of the fluid side: what is wrong, where, what to do.
@@ -17,9 +19,18 @@ pub enum FluidError {
     /// The case was refused.
     #[error(transparent)]
     Case(#[from] CaseError),
+    /// A file that the case names was refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
     /// The mesh was refused.
     #[error("fluid.mesh: {0}")]
     Mesh(#[from] MeshError),
+    /// A step of moving nodes failed.
+    #[error("fluid: {0}")]
+    Step(#[from] FlowFault),
+    /// Nodes between which there is no mesh.
+    #[error("fluid: {0}")]
+    Delaunay(#[from] delaunay::Error),
     /// The boundary conditions were refused.
     #[error(transparent)]
     Boundary(#[from] BoundaryError),
@@ -119,9 +130,12 @@ impl FluidError {
     pub fn exit_code(&self) -> ExitCode {
         match self {
             FluidError::Case(error) => error.exit_code(),
+            FluidError::Input(error) => error.exit_code(),
             FluidError::Mesh(_) | FluidError::Boundary(_) => ExitCode::CaseRefused,
             FluidError::Grains(VoidFractionError::Position { .. }) => ExitCode::NonFinite,
             FluidError::Grains(_) | FluidError::OtherMesh { .. } => ExitCode::CaseRefused,
+            FluidError::Step(FlowFault::NonFinite { .. }) | FluidError::Delaunay(_) => ExitCode::NonFinite,
+            FluidError::Step(_) => ExitCode::NotConverged,
             FluidError::Linear(_) => ExitCode::NotConverged,
             FluidError::Output(_) => ExitCode::Environment,
             FluidError::Interface(error) => u8::try_from(error.exit_code())

@@ -1,4 +1,4 @@
-//! What the fluid leaves on disk: `series/fluid.csv`, `series/probes.csv`, `frames/fluid-N.vtu`.
+//! What the fluid leaves on disk: `series/fluid.csv`, `series/probes.csv`, `series/surface.csv`, `frames/fluid-N.vtu`.
 
 use crate::backend::{FluidBackend, PointValue};
 use crate::error::FluidError;
@@ -15,6 +15,8 @@ pub struct Record {
     films_start: bool,
     fluid: Option<SeriesWriter>,
     probe: Option<SeriesWriter>,
+    /// Only where there is a free surface.
+    elevation: Option<SeriesWriter>,
     frames: Option<Collection>,
 }
 
@@ -28,6 +30,7 @@ impl Record {
             films_start,
             fluid: None,
             probe: None,
+            elevation: None,
             frames: None,
         }
     }
@@ -65,6 +68,12 @@ impl Record {
             let titles = self.probe_titles();
             let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
             self.probe = Some(SeriesWriter::create(&self.series_path("probes"), &titles)?);
+            if backend.has_surface() {
+                let titles = self.probes.iter().map(|(name, _)| format!("{name}.height[m]"));
+                let titles: Vec<String> = std::iter::once("t[s]".to_string()).chain(titles).collect();
+                let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
+                self.elevation = Some(SeriesWriter::create(&self.series_path("surface"), &titles)?);
+            }
         }
         if backend.nodes() > 0 {
             self.frames = Some(Collection::create(&self.index_path())?);
@@ -89,6 +98,7 @@ impl Record {
         };
         self.fluid = reopen(self.series_path("fluid"))?;
         self.probe = reopen(self.series_path("probes"))?;
+        self.elevation = reopen(self.series_path("surface"))?;
         if self.index_path().exists() {
             let mut frames = Collection::open(&self.index_path())?;
             frames.truncate_after(time)?;
@@ -116,6 +126,10 @@ impl Record {
                 row.extend([value.pressure, value.void_fraction]);
             }
             writer.row(&row)?;
+        }
+        if let Some(writer) = &mut self.elevation {
+            let heights = self.probes.iter().map(|(_, point)| backend.elevation(*point).unwrap_or(f64::NAN));
+            writer.row(&std::iter::once(time).chain(heights).collect::<Vec<f64>>())?;
         }
         Ok(())
     }

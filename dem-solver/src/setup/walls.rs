@@ -15,11 +15,15 @@ use surface::triangles::Format;
 pub fn walls<const D: usize>(case: &Case, mesh: Option<&FluidMesh<D>>) -> Result<Walls<D>, DemError> {
     let walls = case.document.wall.iter().enumerate().map(|(index, wall)| {
         let key = |key: &str| format!("wall[{index}].{key}");
-        let material = material_index(case, &wall.material, &key("material"))?;
+        let named = wall.material.as_deref().ok_or_else(|| {
+            case.error(&key("material"), "missing", "", "grains touch the wall: name one of [materials.*]")
+        })?;
+        let material = material_index(case, named, &key("material"))?;
         let shapes = match wall.shape() {
             Some(WallShape::Plane(stated)) => vec![Shape::Plane(plane(stated))],
             Some(WallShape::Cylinder(stated)) => cylinder(stated),
             Some(WallShape::Sphere(stated)) => vec![sphere(stated)],
+            Some(WallShape::Polyline(line)) => polyline(line),
             Some(WallShape::Stl(file)) => triangles(case, &key("stl"), Format::Stl, file)?,
             Some(WallShape::Obj(file)) => triangles(case, &key("obj"), Format::Obj, file)?,
             Some(WallShape::Mesh(boundary)) => {
@@ -66,6 +70,15 @@ fn cylinder<const D: usize>(stated: &document::Cylinder) -> Vec<Shape<D>> {
             .extend([point, point + axis * length].map(|centre| Shape::Disc(Disc { centre, axis, radius })));
     }
     shapes
+}
+
+/// Its segments, which there are in 2D only.
+fn polyline<const D: usize>(stated: &document::Polyline) -> Vec<Shape<D>> {
+    let spatial = |end: [f64; 2]| std::array::from_fn(|k| end.get(k).copied().unwrap_or(0.0));
+    let facet = |[from, to]: [[f64; 2]; 2]| {
+        Shape::Facet(Facet::new(std::array::from_fn(|k| spatial(if k == 0 { from } else { to }))))
+    };
+    stated.segments().into_iter().map(facet).collect()
 }
 
 fn sphere<const D: usize>(stated: &document::Sphere) -> Shape<D> {

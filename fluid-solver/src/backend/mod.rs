@@ -12,6 +12,15 @@ use interface::ledger::FluidLedger;
 use interface::message::{Norms, Surface, TooLarge};
 use std::path::Path;
 
+/// Whether the fluid feels the grains.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Response {
+    /// It gives way to them and takes their reactions.
+    TwoWay,
+    /// It flows as if they were not there.
+    OneWay,
+}
+
 /// A window t_n → t_n + Δt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
@@ -124,6 +133,21 @@ pub trait FluidBackend: Send {
     /// The fluid at a point; none outside.
     fn at(&self, time: f64, point: [f64; 3]) -> Option<PointValue>;
 
+    /// Height, along the last axis, of the surface above or below a point \[m\]; none where there is no fluid, or no free surface.
+    fn elevation(&self, _point: [f64; 3]) -> Option<f64> {
+        None
+    }
+
+    /// Whether it has a free surface.
+    fn has_surface(&self) -> bool {
+        false
+    }
+
+    /// How often something happened, for the summary.
+    fn counters(&self) -> Vec<(String, u64)> {
+        Vec::new()
+    }
+
     /// Fluid volume, momentum, energies and extremes: name with unit, value.
     fn statistics(&self, time: f64) -> Vec<(&'static str, f64)>;
 
@@ -149,6 +173,7 @@ pub trait FluidBackend: Send {
 /// What the backend refuses in the case or its mesh.
 pub fn of(case: &Case, two_way: bool) -> Result<Box<dyn FluidBackend>, FluidError> {
     let fluid = case.document.fluid.as_ref();
+    let response = if two_way { Response::TwoWay } else { Response::OneWay };
     match fluid.map(|fluid| (fluid, fluid.backend)) {
         Some((_, Backend::Imposed)) => match imposed::Imposed::of(&case.document) {
             Some(imposed) => Ok(Box::new(imposed)),
@@ -156,10 +181,8 @@ pub fn of(case: &Case, two_way: bool) -> Result<Box<dyn FluidBackend>, FluidErro
                 .error("fluid.field", "it is missing", "a field", "state velocity and pressure")
                 .into()),
         },
-        Some((fluid, Backend::Eulerian)) => {
-            let response = if two_way { eulerian::Response::TwoWay } else { eulerian::Response::OneWay };
-            eulerian::of(case, fluid, response)
-        }
+        Some((fluid, Backend::Eulerian)) => eulerian::of(case, fluid, response),
+        Some((fluid, Backend::Pfem)) => pfem::of(case, fluid, response),
         None => Err(case.error("fluid", "it is missing", "a table", "add [fluid]").into()),
     }
 }

@@ -18,7 +18,8 @@ impl<const D: usize> Condition<D> {
                 }
                 None => Inflow::Velocity(velocity_field(boundary.velocity.as_ref())),
             }),
-            BoundaryKind::Outlet => {
+            // Loading has refused free surfaces where the mesh stays.
+            BoundaryKind::FreeSurface | BoundaryKind::Outlet => {
                 Self::Outlet { pressure: boundary.pressure.map_or(0.0, |pressure| pressure.si()) }
             }
         }

@@ -1,6 +1,6 @@
 //! A uniform grid of bins over static items (cells, faces, nodes), each listed in every bin its box touches.
 
-use crate::element::simplex::Vector;
+use crate::element::simplex::{Vector, distance};
 
 /// Items by bin; along axis 0 the bins, and so their items, follow each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,6 +100,40 @@ impl<const D: usize> Bins<D> {
     pub fn row(&self, index: &[usize; D], first: usize, last: usize) -> std::ops::Range<usize> {
         let start = flat(&self.counts, index) - index[0];
         self.offsets[start + first] as usize..self.offsets[start + last + 1] as usize
+    }
+
+    /// The item of least `squared` distance to `x`, of equals the first, searched in growing shells of bins; none if there is
+    /// no item. The items lie in the boxes they were sorted in by.
+    pub fn nearest(&self, x: &Vector<D>, squared: impl Fn(u32) -> f64) -> Option<u32> {
+        let home = self.index(x);
+        let narrowest = self.width.iter().copied().fold(f64::INFINITY, f64::min);
+        let clamped: Vector<D> = std::array::from_fn(|k| {
+            x[k].clamp(self.lower[k], self.lower[k] + self.width[k] * self.counts[k] as f64)
+        });
+        let gap = distance(x, &clamped);
+        let farthest = self.counts.iter().max().copied().unwrap_or(1);
+        let mut best: Option<(f64, u32)> = None;
+        for shell in 0..=farthest {
+            // No item first met in this shell is nearer than this to the point of the grid nearest to x.
+            let reach = (shell as f64 - 1.0).max(0.0) * narrowest;
+            if best.is_some_and(|(found, _)| found < reach * reach + gap * gap) {
+                break;
+            }
+            let low = std::array::from_fn(|k| home[k].saturating_sub(shell));
+            let high = std::array::from_fn(|k| (home[k] + shell).min(self.counts[k] - 1));
+            for_each_index(&low, &high, |index| {
+                if (0..D).all(|k| index[k].abs_diff(home[k]) < shell) && shell > 0 {
+                    return;
+                }
+                for &item in self.bin(index) {
+                    let found = (squared(item), item);
+                    if best.is_none_or(|best| found < best) {
+                        best = Some(found);
+                    }
+                }
+            });
+        }
+        best.map(|(_, item)| item)
     }
 
     fn range(&self, (lower, upper): &(Vector<D>, Vector<D>)) -> ([usize; D], [usize; D]) {

@@ -8,7 +8,7 @@
 use super::bins::{Bins, bounds};
 use super::{Mesh, Neighbour};
 use crate::element::closest_point;
-use crate::element::simplex::{Vector, barycentric, distance};
+use crate::element::simplex::{Vector, barycentric, difference, distance, dot};
 
 /// A cell holds a point if no barycentric coordinate is below this: the round-off of their computation.
 const INSIDE: f64 = -1e-12;
@@ -119,39 +119,13 @@ impl<const D: usize> Locator<D> {
         })
     }
 
-    /// The boundary face nearest to `x`, searched in growing shells of bins.
+    /// The boundary face nearest to `x`.
     fn nearest_face<const N: usize>(&self, mesh: &Mesh<D, N>, x: &Vector<D>) -> Option<u32> {
-        let bins = &self.faces;
-        let home = bins.index(x);
-        let narrowest = bins.width().iter().copied().fold(f64::INFINITY, f64::min);
-        let edge: Vector<D> = std::array::from_fn(|k| {
-            x[k].clamp(bins.lower()[k], bins.lower()[k] + bins.width()[k] * bins.counts()[k] as f64)
-        });
-        let gap = distance(x, &edge);
-        let farthest = bins.counts().iter().max().copied().unwrap_or(1);
-        let mut best: Option<(f64, u32)> = None;
-        for shell in 0..=farthest {
-            // No face first met in this shell is nearer than this to the point of the grid nearest to x.
-            let reach = (shell as f64 - 1.0).max(0.0) * narrowest;
-            if best.is_some_and(|(found, _)| found < reach.hypot(gap)) {
-                break;
-            }
-            let low = std::array::from_fn(|k| home[k].saturating_sub(shell));
-            let high = std::array::from_fn(|k| (home[k] + shell).min(bins.counts()[k] - 1));
-            super::bins::for_each_index(&low, &high, |index| {
-                if (0..D).all(|k| index[k].abs_diff(home[k]) < shell) && shell > 0 {
-                    return;
-                }
-                for &face in bins.bin(index) {
-                    let vertices = mesh.face_vertices(&mesh.boundary()[face as usize]);
-                    let found = (distance(x, &closest_point::on_facet(&vertices, x)), face);
-                    if best.is_none_or(|best| found < best) {
-                        best = Some(found);
-                    }
-                }
-            });
-        }
-        best.map(|(_, face)| face)
+        self.faces.nearest(x, |face| {
+            let vertices = mesh.face_vertices(&mesh.boundary()[face as usize]);
+            let off = difference(x, &closest_point::on_facet(&vertices, x));
+            dot(&off, &off)
+        })
     }
 }
 

@@ -7,6 +7,7 @@
 
 pub mod bins;
 mod build;
+pub mod case;
 mod corners;
 mod error;
 pub mod generate;

@@ -2,8 +2,8 @@
 
 use crate::support::{Random, box_mesh, flow};
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
-use fluid_solver::backend::eulerian::{Eulerian, Properties, Response};
-use fluid_solver::backend::{FluidBackend, Step};
+use fluid_solver::backend::eulerian::{Eulerian, Properties};
+use fluid_solver::backend::{FluidBackend, Response, Step};
 use fluid_solver::boundary::{Condition, Inflow};
 use interface::frames::{GrainRow, ReactionRow};
 

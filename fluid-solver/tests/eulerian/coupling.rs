@@ -1,8 +1,8 @@
 //! Momentum and volume shared with grains.
 
 use crate::support::{Random, box_mesh, flow, given, largest_speed};
-use fluid_solver::backend::eulerian::{Eulerian, Flow, Properties, Response};
-use fluid_solver::backend::{FluidBackend, Step};
+use fluid_solver::backend::eulerian::{Eulerian, Flow, Properties};
+use fluid_solver::backend::{FluidBackend, Response, Step};
 use fluid_solver::boundary::Condition;
 use interface::frames::{GrainRow, ReactionRow};
 use interface::ledger::FluidLedger;

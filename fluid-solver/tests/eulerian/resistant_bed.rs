@@ -2,8 +2,8 @@
 #![allow(clippy::print_stdout, reason = "the iterations are figures of the documentation")]
 
 use crate::support::{Random, box_mesh, flow, given};
-use fluid_solver::backend::eulerian::{Eulerian, Properties, Response};
-use fluid_solver::backend::{FluidBackend, Step};
+use fluid_solver::backend::eulerian::{Eulerian, Properties};
+use fluid_solver::backend::{FluidBackend, Response, Step};
 use fluid_solver::boundary::Condition;
 use interface::frames::{GrainRow, ReactionRow};
 

@@ -1,6 +1,7 @@
 //! Claims about `pfem`.
 
 mod flow;
+mod space;
 mod grains;
 mod remesh;
 mod support;

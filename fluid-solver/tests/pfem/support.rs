@@ -70,7 +70,7 @@ pub fn tank<const D: usize>(size: [f64; D], grip: Grip) -> Vec<Wall<D>> {
             let (mut point, mut normal) = ([0.0; D], [0.0; D]);
             (point[axis], normal[axis]) = (at, sign);
             let shape = Shape::Plane(Plane { point, normal });
-            walls.push(Wall { name: format!("{axis}"), shape, grip });
+            walls.push(Wall::new(format!("{axis}"), shape, grip));
         }
     }
     walls

@@ -1,5 +1,6 @@
 //! Writing a checkpoint.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use serde::Serialize;
@@ -30,7 +31,7 @@ struct Array<'a> {
     name: &'a str,
     element: ElementType,
     count: usize,
-    bytes: &'a [u8],
+    bytes: Cow<'a, [u8]>,
 }
 
 impl<'a> CheckpointWriter<'a> {
@@ -42,7 +43,15 @@ impl<'a> CheckpointWriter<'a> {
     /// Adds a bulk array.
     #[must_use]
     pub fn array<T: Element>(mut self, name: &'a str, values: &'a [T]) -> Self {
-        let bytes = bytemuck::cast_slice(values);
+        let bytes = Cow::Borrowed(bytemuck::cast_slice(values));
+        self.arrays.push(Array { name, element: T::TYPE, count: values.len(), bytes });
+        self
+    }
+
+    /// Adds an array made for the checkpoint.
+    #[must_use]
+    pub fn made<T: Element>(mut self, name: &'a str, values: &[T]) -> Self {
+        let bytes = Cow::Owned(bytemuck::cast_slice(values).to_vec());
         self.arrays.push(Array { name, element: T::TYPE, count: values.len(), bytes });
         self
     }
@@ -60,8 +69,12 @@ impl<'a> CheckpointWriter<'a> {
         };
         let metadata =
             self.metadata.map_err(|fault| inconsistent("metadata", fault, "what bincode can encode"))?;
-        let head =
-            Array { name: METADATA, element: ElementType::U8, count: metadata.len(), bytes: &metadata };
+        let head = Array {
+            name: METADATA,
+            element: ElementType::U8,
+            count: metadata.len(),
+            bytes: Cow::Owned(metadata),
+        };
         let parts: Vec<Array> = std::iter::once(head).chain(self.arrays).collect();
         for (i, part) in parts.iter().enumerate() {
             if parts[..i].iter().any(|earlier| earlier.name == part.name) {
@@ -79,7 +92,7 @@ impl<'a> CheckpointWriter<'a> {
                 name: part.name.to_owned(),
                 element: part.element,
                 count: part.count as u64,
-                checksum: checksum(part.bytes),
+                checksum: checksum(&part.bytes),
             })
             .collect();
         let header = encode(&Header { kind: self.kind.to_owned(), sections })
@@ -94,7 +107,7 @@ impl<'a> CheckpointWriter<'a> {
         let seal = checksum(&header).to_le_bytes();
         let mut pieces: Vec<&[u8]> = vec![&MAGIC, &version, &length, &seal, &header, pad(header.len())];
         for part in &parts {
-            pieces.extend([part.bytes, pad(part.bytes.len())]);
+            pieces.extend([&*part.bytes, pad(part.bytes.len())]);
         }
         replace_file_durably(path, &pieces)
     }

@@ -16,7 +16,7 @@ use crate::expression::Expression;
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Boundary {
-    /// Names of mesh boundaries; each is named exactly once over all tables.
+    /// Names of mesh boundaries, each of which is named exactly once over all tables; with `pfem` also of walls.
     pub on: Vec<String>,
     /// What holds there.
     pub kind: BoundaryKind,
@@ -44,6 +44,8 @@ pub enum BoundaryKind {
     Outlet,
     /// The fluid sticks to a wall that moves in itself.
     MovingWall,
+    /// Nothing holds the fluid (`pfem` only): the boundary is where it begins, and free.
+    FreeSurface,
 }
 
 /// Profile of an inlet.

@@ -55,6 +55,34 @@ name = "centre"
 at = ["0 m", "0 m", "0.5 m"]
 "#;
 
+/// A tank of moving nodes with a weir, 2D, no grains.
+pub(crate) const TANK: &str = r#"[case]
+title = "tank"
+dimension = 2
+gravity = ["0 m/s^2", "-9.81 m/s^2"]
+[time]
+end = "1 s"
+window = "1 ms"
+[fluid]
+backend = "pfem"
+density = "1000 kg/m^3"
+viscosity = "1 mPa s"
+[fluid.mesh]
+box = { lower = ["0 m", "0 m"], upper = ["2 m", "1 m"], size = "0.1 m" }
+[[fluid.boundary]]
+on = ["x-min", "y-min"]
+kind = "slip"
+[[fluid.boundary]]
+on = ["x-max", "y-max"]
+kind = "free-surface"
+[[fluid.boundary]]
+on = ["weir"]
+kind = "slip"
+[[wall]]
+name = "weir"
+polyline = { points = [["3 m", "0 m"], ["3 m", "1 m"]] }
+"#;
+
 /// Discs on a line, 2D, no fluid.
 pub(crate) const DRY: &str = r#"[case]
 title = "dry"

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::boundary::{Boundary, BoundaryVelocity};
 use super::mesh::Mesh;
+use super::pfem::{Body, Pfem};
 use super::quantity::{Density, Viscosity};
 use super::vector::AccelerationVector;
 use crate::expression::Expression;
@@ -32,6 +33,11 @@ pub struct Fluid {
     /// Conditions on the mesh's boundaries (not for `imposed`).
     #[serde(default)]
     pub boundary: Vec<Boundary>,
+    /// More fluid at the start (`pfem` only).
+    #[serde(default)]
+    pub body: Vec<Body>,
+    /// Settings of `pfem`.
+    pub pfem: Option<Pfem>,
 }
 
 impl Fluid {
@@ -49,6 +55,8 @@ pub enum Backend {
     Imposed,
     /// Stabilised finite elements on a fixed mesh.
     Eulerian,
+    /// Finite elements whose nodes move with the fluid, with free surfaces.
+    Pfem,
 }
 
 /// A flow stated by expressions of x, y, z, t in SI.

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::quantity::{Angle, Length};
 use super::vector::{Axis, Point, one};
+use crate::expression::Expression;
 
 /// `[fluid.mesh]`; exactly one of `box`, `pipe`, `gmsh`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -61,6 +62,9 @@ pub struct BoxMesh {
     /// Random shift of inner nodes, as a fraction of the cell's edge, in [0, 0.5).
     #[serde(default)]
     pub jitter: f64,
+    /// Where the top is at the start (`pfem` only): its height, along the last axis, in m as an expression of x and y. The
+    /// nodes below are moved in proportion. Default: the upper corner's.
+    pub surface: Option<Expression>,
 }
 
 impl BoxMesh {

@@ -16,6 +16,7 @@ mod load;
 mod material;
 mod mesh;
 mod output;
+mod pfem;
 mod probe;
 pub mod quantity;
 mod region;
@@ -55,6 +56,7 @@ pub use load::{Case, Overrides};
 pub use material::{Material, Pair};
 pub use mesh::{BoxMesh, GmshFile, Mesh, MeshSource, PipeMesh};
 pub use output::{Interval, OutputTable};
+pub use pfem::{Body, Pfem, Recognition};
 pub use probe::Probe;
 pub use region::{CylinderRegion, Region, SphereRegion, StlRegion};
 pub use schema::schema;
@@ -64,7 +66,7 @@ pub use time::TimeTable;
 pub use variant::{Run, Variant};
 pub use vector::{AccelerationVector, Axis, Bounds, Point, Vector, VelocityVector, unit_vector};
 pub use wall::{
-    Cylinder, MeshBoundary, Motion, MotionTable, Oscillation, Plane, Rotation, Servo, Side, Sphere,
+    Cylinder, MeshBoundary, Motion, MotionTable, Oscillation, Plane, Polyline, Rotation, Servo, Side, Sphere,
     SurfaceFile, Wall, WallShape,
 };
 

@@ -1,4 +1,4 @@
-//! `[[wall]]`: what grains touch besides each other.
+//! `[[wall]]`: what grains touch besides each other, and what holds the fluid of backend `pfem`.
 
 use std::path::PathBuf;
 
@@ -8,20 +8,23 @@ use serde::{Deserialize, Serialize};
 use super::quantity::{Angle, AngularVelocity, Force, Length, Mass, NumberRate, Time, Velocity};
 use super::vector::{Point, VelocityVector, one};
 
-/// `[[wall]]`; exactly one of `plane`, `cylinder`, `sphere`, `stl`, `obj`, `mesh` gives its shape.
+/// `[[wall]]`; exactly one of `plane`, `cylinder`, `sphere`, `polyline`, `stl`, `obj`, `mesh` gives its shape. It holds the fluid
+/// (backend `pfem`) if a `[[fluid.boundary]]` names it.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Wall {
     /// Name in messages and in the ledger.
     pub name: String,
-    /// One of `[materials.*]`.
-    pub material: String,
+    /// One of `[materials.*]`; where there are grains.
+    pub material: Option<String>,
     /// An infinite plane.
     pub plane: Option<Plane>,
     /// A circular cylinder, with or without ends (3D).
     pub cylinder: Option<Cylinder>,
     /// A sphere (2D: a circle).
     pub sphere: Option<Sphere>,
+    /// Straight segments from point to point (2D).
+    pub polyline: Option<Polyline>,
     /// Triangles of an STL file, ASCII or binary (3D).
     pub stl: Option<SurfaceFile>,
     /// Triangles of a Wavefront OBJ file (3D).
@@ -44,6 +47,7 @@ impl Wall {
             .map(WallShape::Plane)
             .or(self.cylinder.as_ref().map(WallShape::Cylinder))
             .or(self.sphere.as_ref().map(WallShape::Sphere))
+            .or(self.polyline.as_ref().map(WallShape::Polyline))
             .or(self.stl.as_ref().map(WallShape::Stl))
             .or(self.obj.as_ref().map(WallShape::Obj))
             .or(self.mesh.as_ref().map(WallShape::Mesh))
@@ -59,6 +63,8 @@ pub enum WallShape<'a> {
     Cylinder(&'a Cylinder),
     /// A sphere.
     Sphere(&'a Sphere),
+    /// Straight segments.
+    Polyline(&'a Polyline),
     /// Triangles of an STL file.
     Stl(&'a SurfaceFile),
     /// Triangles of an OBJ file.
@@ -73,7 +79,7 @@ pub enum WallShape<'a> {
 pub struct Plane {
     /// A point of the plane.
     pub point: Point,
-    /// Its normal, of any length, towards the grains: `dimension` bare numbers.
+    /// Its normal, of any length, towards grains and fluid: `dimension` bare numbers.
     pub normal: Vec<f64>,
 }
 
@@ -88,7 +94,7 @@ pub struct Cylinder {
     pub axis: Vec<f64>,
     /// Radius.
     pub radius: Length,
-    /// Where grains are (without `length` only).
+    /// Where grains, and the fluid, are (without `length` only).
     pub grains: Option<Side>,
     /// Length from `point` along `axis`; default without ends.
     pub length: Option<Length>,
@@ -105,11 +111,32 @@ pub struct Sphere {
     pub centre: Point,
     /// Radius.
     pub radius: Length,
-    /// Where grains are.
+    /// Where grains, and the fluid, are.
     pub grains: Side,
 }
 
-/// On which side of a round wall grains are.
+/// Straight segments from point to point (2D). Grains feel them from both sides; a fluid is on the left of the way along them.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Polyline {
+    /// The points, two or more.
+    pub points: Vec<Point>,
+    /// Whether it goes on from the last point to the first.
+    #[serde(default)]
+    pub closed: bool,
+}
+
+impl Polyline {
+    /// Ends of the segments (m).
+    pub fn segments(&self) -> Vec<[[f64; 2]; 2]> {
+        let points: Vec<[f64; 2]> = self.points.iter().map(Point::to_array).collect();
+        let back = self.closed.then(|| points.first().copied()).flatten();
+        let all: Vec<[f64; 2]> = points.into_iter().chain(back).collect();
+        all.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+    }
+}
+
+/// On which side of a round wall grains and fluid are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
@@ -119,7 +146,8 @@ pub enum Side {
     Outside,
 }
 
-/// Triangles of a file.
+/// Triangles of a file. Grains feel them from both sides; a fluid is on the side that they face: from there their vertices go
+/// round anticlockwise, as those of a solid body do from outside.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SurfaceFile {

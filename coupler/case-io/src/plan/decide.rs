@@ -128,9 +128,10 @@ fn of_grains(part: Part, document: &Document, grains: &Grains) -> Decision {
             walls(|shape| matches!(shape, WallShape::Cylinder(_) | WallShape::Sphere(_))),
         ),
         Part::TriangleWalls => {
-            let named_walls =
-                walls(|shape| matches!(shape, WallShape::Stl(_) | WallShape::Obj(_) | WallShape::Mesh(_)));
-            named("wall with stl, obj or mesh", named_walls)
+            let named_walls = walls(|shape| {
+                !matches!(shape, WallShape::Plane(_) | WallShape::Cylinder(_) | WallShape::Sphere(_))
+            });
+            named("wall with polyline, stl, obj or mesh", named_walls)
         }
         Part::PeriodicWrap => {
             let axes: Vec<String> = grains.periodic.iter().map(word).collect();
@@ -343,7 +344,7 @@ mod tests {
         for line in [
             "contacts                        on   normal-law = \"hooke\"",
             "friction                        on   pair with sliding-friction: glass-glass, steel-glass",
-            "triangle walls                  off  no wall with stl, obj or mesh",
+            "triangle walls                  off  no wall with polyline, stl, obj or mesh",
             "periodic wrap                   on   periodic axis: x",
             "fluid                           off  there is no [fluid]",
             "drag                            off  there is no [coupling]",

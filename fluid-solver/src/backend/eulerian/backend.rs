@@ -2,7 +2,7 @@
 
 use super::flow::{Flow, Properties};
 use super::state::State;
-use crate::backend::{Attempt, FluidBackend, PointValue, Solution, Step};
+use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Step};
 use crate::element::simplex::{Vector, in_space};
 use crate::error::FluidError;
 use crate::grains::{Exchange, FixedMesh, GrainsOnMesh, Medium, Recovered, Taken};
@@ -15,15 +15,6 @@ use std::path::{Path, PathBuf};
 
 /// Largest Courant number |u|Δt/h: the scheme is implicit, this bounds the error in time.
 const COURANT: f64 = 2.0;
-
-/// Whether the fluid feels the grains.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Response {
-    /// It gives way to them and takes their reactions.
-    TwoWay,
-    /// It flows as if they were not there.
-    OneWay,
-}
 
 /// Stabilised finite elements on a fixed mesh.
 pub struct Eulerian<const D: usize, const N: usize> {

@@ -23,7 +23,7 @@ mod time_rule;
 mod velocity_multigrid;
 mod velocity_sweep;
 
-pub use backend::{Eulerian, Response};
+pub use backend::Eulerian;
 pub use case::of;
 pub use flow::{Flow, Properties};
 pub use state::State;

@@ -1,7 +1,7 @@
 //! Grains in a cloud: where they are in it, what they do to a step, and what they feel of it.
 
 use super::cloud::{Cloud, OUTSIDE};
-use crate::backend::Step;
+use crate::backend::{Response, Step};
 use crate::element::simplex::{Vector, dot, in_space};
 use crate::error::FluidError;
 use crate::grains::{
@@ -23,8 +23,6 @@ pub struct Solved<'a, const D: usize> {
     pub velocity: &'a [Vector<D>],
     /// p (Pa).
     pub pressure: &'a [f64],
-    /// θ: the equations hold on the mesh at x_n + θΔt v_m.
-    pub implicitness: f64,
 }
 
 /// The grains placed last, in the mesh of a cloud that moves while a step is computed.
@@ -61,15 +59,15 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
 }
 
 impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
-    /// No grains; in 2D a slab of `depth` (m).
-    pub fn new(medium: Medium, depth: f64) -> Self {
+    /// No grains among this many nodes; in 2D a slab of `depth` (m).
+    pub fn new(medium: Medium, depth: f64, nodes: usize) -> Self {
         let mesh = Mesh::of_particles(vec!["free-surface".to_string(), "walls".to_string()]);
         Self {
             medium,
             depth,
             corners: Corners::default(),
             placing: FreeSurface::new(&mesh),
-            grains: GrainsOnMesh::new(0),
+            grains: GrainsOnMesh::new(nodes),
             mesh,
             rows: Vec::new(),
             void_fraction_before: Vec::new(),
@@ -92,7 +90,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
         self.rows.len()
     }
 
-    /// The mesh as it was placed last.
+    /// The mesh as grains were placed last.
     pub fn mesh(&self) -> &Mesh<D, N> {
         &self.mesh
     }
@@ -133,6 +131,10 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     /// # Errors
     /// As [`Self::populate`].
     pub fn begin(&mut self, cloud: &Cloud<D, N>) -> Result<(), FluidError> {
+        if self.rows.is_empty() {
+            self.grains = GrainsOnMesh::new(cloud.place.len());
+            return Ok(());
+        }
         let on_wall = |points: &[u32; D]| {
             let contacts = points.map(|point| cloud.contacts[point as usize]);
             !contacts.iter().fold(contacts[0], |all, other| all.common(*other)).is_empty()
@@ -150,6 +152,9 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Goes back to the start of the window: as if no iterate had been felt.
     pub fn forget(&mut self, cloud: &Cloud<D, N>) {
+        if self.rows.is_empty() {
+            return;
+        }
         self.carrier.clone_from(&cloud.velocity);
         self.velocity_felt.clone_from(&cloud.velocity);
         self.pressure_felt.clone_from(&cloud.pressure);
@@ -157,6 +162,9 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Takes an iterate for what the grains have felt.
     pub fn remember(&mut self, solved: Solved<'_, D>) {
+        if self.rows.is_empty() {
+            return;
+        }
         self.carrier.copy_from_slice(solved.carrier);
         self.velocity_felt.copy_from_slice(solved.velocity);
         self.pressure_felt.copy_from_slice(solved.pressure);
@@ -169,6 +177,9 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     pub fn project(&mut self, cloud: &Cloud<D, N>, step: Step, rows: &[GrainRow]) -> Result<(), FluidError> {
         self.rows.clear();
         self.rows.extend_from_slice(rows);
+        if rows.is_empty() {
+            return Ok(());
+        }
         self.move_mesh(cloud, step.length);
         self.place()?;
         self.source.clear();
@@ -206,7 +217,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             return;
         }
         self.carrier.copy_from_slice(solved.carrier);
-        self.move_mesh(cloud, solved.implicitness * step.length);
+        self.move_mesh(cloud, 0.5 * step.length);
         let change = solved.velocity.iter().zip(&cloud.velocity);
         let rate: Vec<Vector<D>> =
             change.map(|(new, old)| std::array::from_fn(|k| (new[k] - old[k]) / step.length)).collect();
@@ -217,22 +228,27 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Adds what crosses between grains and fluid to the books of a step that has been felt: drag, stress, explicit forces,
     /// and at the boundary the traction ∮(1 − ε)(τ − p)n that the grains there would else be given twice.
-    pub fn book(&self, step: Step, solved: Solved<'_, D>, ledger: &mut FluidLedger) {
+    ///
+    /// Where the fluid does not feel the grains, whatever drives it takes what they give.
+    pub fn book(&self, step: Step, solved: Solved<'_, D>, response: Response, ledger: &mut FluidLedger) {
         if self.rows.is_empty() {
             return;
         }
         let Taken { drag, stress, explicit, scale } =
             self.grains.taken(&self.velocity, &self.recovered, &self.measure);
-        let traction = self.traction_on_solids(solved);
+        let held: Vector<D> = match response {
+            Response::TwoWay => self.traction_on_solids(solved),
+            Response::OneWay => std::array::from_fn(|k| drag[k] + stress[k] - explicit[k]),
+        };
         let impulse = self.depth * step.length;
-        let [drag, stress, explicit, traction] =
-            [drag, stress, explicit, traction].map(|force| in_space(&force).map(|f| f * impulse));
+        let [drag, stress, explicit, held] =
+            [drag, stress, explicit, held].map(|force| in_space(&force).map(|f| f * impulse));
         for k in 0..3 {
             ledger.drag[k] += drag[k];
             ledger.stress[k] += stress[k];
             ledger.explicit[k] += explicit[k];
-            ledger.boundary[k] += traction[k];
-            ledger.scale += stress[k].abs() + traction[k].abs();
+            ledger.boundary[k] += held[k];
+            ledger.scale += stress[k].abs() + held[k].abs();
         }
         ledger.scale += impulse * scale;
     }
@@ -259,13 +275,8 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Places the grains in the mesh as it is.
     fn place(&mut self) -> Result<(), FluidError> {
-        if self.rows.is_empty() {
-            self.grains.void_fraction.clear();
-            self.grains.void_fraction.resize(self.mesh.node_count(), 1.0);
-        } else {
-            self.placing.follow(&self.mesh);
-            self.grains.place(&self.mesh, &self.rows, &mut self.placing)?;
-        }
+        self.placing.follow(&self.mesh);
+        self.grains.place(&self.mesh, &self.rows, &mut self.placing)?;
         self.measure.clear();
         self.measure.extend_from_slice(self.mesh.measure());
         Ok(())

@@ -3,8 +3,22 @@
 //!
 //! One step: [`grains`] are placed where they end, [`flow`] moves the nodes on the mesh at t_n, [`remesh`] finds the mesh at t_{n+1}.
 
+mod backend;
+mod body;
+mod case;
+mod checkpoint;
 pub mod cloud;
 pub mod flow;
 pub mod grains;
+mod output;
+mod probe;
 pub mod remesh;
+mod renewal;
+mod state;
 pub mod wall;
+
+pub use backend::{Pfem, Setting};
+pub use body::Body;
+pub use case::of;
+pub use renewal::Renewal;
+pub use state::State;

@@ -6,6 +6,7 @@ mod jitter;
 mod pipe;
 
 pub use box_mesh::BoxMesh;
+pub(crate) use disc::Disc;
 pub use jitter::Jitter;
 pub use pipe::{BentPipe, Pipe};
 

@@ -1,11 +1,11 @@
 //! A tank of water with grains, window by window on the same cells.
 
 use crate::support::{G, WATER, block, flow, gravity, tank, touch};
-use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::flow::{Flow, FlowSolution, Forces};
 use fluid_solver::backend::pfem::grains::{GrainsInCloud, Solved};
 use fluid_solver::backend::pfem::wall::{Grip, Wall};
+use fluid_solver::backend::{Response, Step};
 use fluid_solver::element::simplex::in_space;
 use fluid_solver::grains::Medium;
 use interface::frames::{GrainRow, ReactionRow};
@@ -32,7 +32,7 @@ impl<const D: usize, const N: usize> Tank<D, N> {
         cloud.pressure = cloud.place.iter().map(|x| WATER.density * G * (SIDE - x[D - 1])).collect();
         let medium = Medium { density: WATER.density, viscosity: WATER.viscosity };
         let depth = if D == 2 { DEPTH } else { 1.0 };
-        let grains = GrainsInCloud::new(medium, depth);
+        let grains = GrainsInCloud::new(medium, depth, cloud.place.len());
         Self { flow: flow(WATER, 1e-8), cloud, walls, grains, time: 0.0 }
     }
 
@@ -88,7 +88,7 @@ impl<const D: usize, const N: usize> Tank<D, N> {
                 ledger.scale += rate[k].abs() + body[k].abs() + wall[k].abs();
             }
         }
-        self.grains.book(step, solved(solution), &mut ledger);
+        self.grains.book(step, solved(solution), Response::TwoWay, &mut ledger);
         ledger
     }
 
@@ -100,12 +100,7 @@ impl<const D: usize, const N: usize> Tank<D, N> {
 }
 
 pub fn solved<const D: usize>(solution: &FlowSolution<D>) -> Solved<'_, D> {
-    Solved {
-        carrier: &solution.velocity,
-        velocity: &solution.end_velocity,
-        pressure: &solution.pressure,
-        implicitness: 0.5,
-    }
+    Solved { carrier: &solution.velocity, velocity: &solution.end_velocity, pressure: &solution.pressure }
 }
 
 /// |rate − (body + boundary − drag − stress + explicit)| over the scale.

@@ -1,8 +1,9 @@
 //! `[fluid]` and `[[fluid.boundary]]`
 
 use super::mesh::{self, boundary_names};
+use super::pfem;
 use super::rules::Rules;
-use crate::document::{Backend, Boundary, BoundaryKind, BoundaryVelocity, Document, Fluid, Mesh};
+use crate::document::{Backend, Boundary, BoundaryKind, BoundaryVelocity, Document, Fluid};
 use crate::error::CaseError;
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
@@ -11,7 +12,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
     rules.positive("fluid.viscosity", fluid.viscosity)?;
     match fluid.backend {
         Backend::Imposed => imposed(fluid, rules),
-        Backend::Eulerian => computed(fluid, rules),
+        Backend::Eulerian | Backend::Pfem => computed(document, fluid, rules),
     }
 }
 
@@ -29,8 +30,9 @@ fn imposed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
         .map_or(Ok(()), |field| rules.components("fluid.field.velocity", field.velocity.len()))
 }
 
-fn computed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
-    rules.no_effect("fluid.field", "with backend = \"eulerian\"")?;
+fn computed(document: &Document, fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
+    let backend = if fluid.backend == Backend::Pfem { "\"pfem\"" } else { "\"eulerian\"" };
+    rules.no_effect("fluid.field", format_args!("with backend = {backend}"))?;
     velocity("fluid.velocity", fluid.velocity.as_ref(), rules)?;
     rules.optional_vector("fluid.body-force", fluid.body_force.as_ref())?;
     let tolerance = fluid.solve_tolerance();
@@ -40,18 +42,36 @@ fn computed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
         tolerance > 0.0 && tolerance < 1.0,
         "more than 0, less than 1",
     )?;
-    let Some(mesh) = &fluid.mesh else {
-        let advice = "backend \"eulerian\" needs it: add [fluid.mesh] with box, pipe or gmsh";
-        return rules.required("fluid.mesh", advice);
-    };
-    mesh::check(mesh, rules)?;
-    covered(fluid, mesh, rules)?;
-    fluid.boundary.iter().enumerate().try_for_each(|(k, condition)| boundary(condition, k, rules))
+    match (&fluid.mesh, fluid.backend) {
+        (Some(mesh), _) => mesh::check(mesh, rules)?,
+        (None, Backend::Pfem) if !fluid.body.is_empty() => {}
+        (None, _) => {
+            let advice = format!("backend {backend} needs it: add [fluid.mesh] with box, pipe or gmsh");
+            return rules.required("fluid.mesh", advice);
+        }
+    }
+    if fluid.backend == Backend::Pfem {
+        pfem::check(fluid, rules)?;
+    } else {
+        for key in ["pfem", "body", "mesh.box.surface"] {
+            rules.no_effect(&format!("fluid.{key}"), format_args!("with backend = {backend}"))?;
+        }
+    }
+    covered(document, fluid, rules)?;
+    fluid.boundary.iter().enumerate().try_for_each(|(k, condition)| boundary(fluid, condition, k, rules))
 }
 
-/// Every boundary of the mesh has exactly one condition.
-fn covered(fluid: &Fluid, mesh: &Mesh, rules: &Rules) -> Result<(), CaseError> {
-    let known = boundary_names(mesh, rules.dimension);
+/// Every boundary of the mesh has exactly one condition; walls may have one where nodes move.
+fn covered(document: &Document, fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
+    let of_mesh = fluid.mesh.as_ref().map_or(Some(Vec::new()), |mesh| boundary_names(mesh, rules.dimension));
+    let walls = document.wall.iter().filter(|_| fluid.backend == Backend::Pfem);
+    let walls: Vec<&str> = walls.map(|wall| wall.name.as_str()).collect();
+    let known = of_mesh.as_ref().map(|names| [names.as_slice(), &walls].concat());
+    let twice = walls.iter().position(|wall| of_mesh.iter().flatten().any(|name| name == wall));
+    if let Some(wall) = twice {
+        let found = format!("the mesh has a boundary \"{}\" too", walls[wall]);
+        return rules.refuse(&format!("wall[{wall}].name"), found, "", "rename the wall");
+    }
     let mut named: Vec<&str> = Vec::new();
     for (k, condition) in fluid.boundary.iter().enumerate() {
         let key = format!("fluid.boundary[{k}].on");
@@ -74,7 +94,7 @@ fn covered(fluid: &Fluid, mesh: &Mesh, rules: &Rules) -> Result<(), CaseError> {
             named.push(name);
         }
     }
-    let missing: Vec<&str> = known.into_iter().flatten().filter(|name| !named.contains(name)).collect();
+    let missing: Vec<&str> = of_mesh.into_iter().flatten().filter(|name| !named.contains(name)).collect();
     if missing.is_empty() {
         return Ok(());
     }
@@ -82,7 +102,7 @@ fn covered(fluid: &Fluid, mesh: &Mesh, rules: &Rules) -> Result<(), CaseError> {
     rules.refuse("fluid.boundary", found, "", "add a [[fluid.boundary]] with on = […] and kind")
 }
 
-fn boundary(boundary: &Boundary, index: usize, rules: &Rules) -> Result<(), CaseError> {
+fn boundary(fluid: &Fluid, boundary: &Boundary, index: usize, rules: &Rules) -> Result<(), CaseError> {
     let table = format!("fluid.boundary[{index}]");
     let key = |name: &str| format!("{table}.{name}");
     let kind = boundary.kind;
@@ -92,7 +112,24 @@ fn boundary(boundary: &Boundary, index: usize, rules: &Rules) -> Result<(), Case
         BoundaryKind::Inlet => (&["velocity", "speed", "profile"], "inlet"),
         BoundaryKind::Outlet => (&["pressure"], "outlet"),
         BoundaryKind::MovingWall => (&["velocity"], "moving-wall"),
+        BoundaryKind::FreeSurface => (&[], "free-surface"),
     };
+    let still = matches!(kind, BoundaryKind::NoSlip | BoundaryKind::Slip);
+    let moves = fluid.backend == Backend::Pfem;
+    if moves && !still && kind != BoundaryKind::FreeSurface {
+        let found = format!("backend \"pfem\" has no kind \"{word}\"");
+        let advice = "state a wall that moves as [[wall]] with motion";
+        return rules.refuse(&key("kind"), found, "no-slip, slip, free-surface", advice);
+    }
+    if !moves && kind == BoundaryKind::FreeSurface {
+        let found = "the mesh of backend \"eulerian\" stays where it is and has no free surface";
+        return rules.refuse(
+            &key("kind"),
+            found,
+            "no-slip, slip, inlet, outlet, moving-wall",
+            "set backend = \"pfem\"",
+        );
+    }
     for name in ["velocity", "speed", "profile", "pressure"] {
         if !used.contains(&name) {
             rules.no_effect(&key(name), format_args!("with kind = \"{word}\""))?;
@@ -111,7 +148,7 @@ fn boundary(boundary: &Boundary, index: usize, rules: &Rules) -> Result<(), Case
 }
 
 /// A velocity has as many components as the case has dimensions.
-fn velocity(key: &str, stated: Option<&BoundaryVelocity>, rules: &Rules) -> Result<(), CaseError> {
+pub(super) fn velocity(key: &str, stated: Option<&BoundaryVelocity>, rules: &Rules) -> Result<(), CaseError> {
     match stated {
         Some(BoundaryVelocity::Constant(vector)) => rules.vector(key, vector),
         Some(BoundaryVelocity::Expression(expressions)) => {

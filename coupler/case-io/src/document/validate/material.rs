@@ -25,7 +25,7 @@ fn materials(document: &Document, touching: bool, rules: &Rules) -> Result<(), C
         let table = format!("materials.{material}");
         check_name(rules.source, &table, material)?;
         let used = document.insertion.iter().any(|insertion| insertion.material == *material)
-            || document.wall.iter().any(|wall| wall.material == *material);
+            || document.wall.iter().any(|wall| wall.material.as_ref() == Some(material));
         if !used {
             return rules.refuse(&table, "no insertion and no wall is made of it", "", "delete it");
         }
@@ -168,7 +168,8 @@ fn possible(document: &Document) -> Vec<([&str; 2], String)> {
         }
         if !one.frozen {
             for (k, wall) in document.wall.iter().enumerate() {
-                pairs.push((sorted(&one.material, &wall.material), format!("wall[{k}].material")));
+                let Some(material) = &wall.material else { continue };
+                pairs.push((sorted(&one.material, material), format!("wall[{k}].material")));
             }
         }
     }

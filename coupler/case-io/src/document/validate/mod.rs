@@ -13,6 +13,7 @@ mod lubrication;
 mod material;
 mod mesh;
 mod motion_table;
+mod pfem;
 mod probe;
 mod region;
 mod rules;

@@ -3,23 +3,34 @@
 use super::mesh::boundary_names;
 use super::motion_table;
 use super::rules::Rules;
-use crate::document::{Cylinder, Dimension, Document, Motion, Servo, SurfaceFile, Wall, WallShape};
+use crate::document::{
+    Backend, Cylinder, Dimension, Document, Fluid, Motion, Polyline, Servo, SurfaceFile, Wall, WallShape,
+};
 use crate::error::CaseError;
 
 pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError> {
-    if document.grains.is_none() {
+    let held = document.fluid.as_ref().filter(|fluid| fluid.backend == Backend::Pfem);
+    if document.grains.is_none() && held.is_none() {
         return rules.no_effect("wall", "without [grains]");
     }
     rules.names("wall", document.wall.iter().map(|wall| wall.name.as_str()))?;
     let materials: Vec<&str> = document.materials.keys().map(String::as_str).collect();
     for (index, wall) in document.wall.iter().enumerate() {
         let table = format!("wall[{index}]");
-        rules.known(&format!("{table}.material"), "material", &wall.material, &materials)?;
-        rules.exactly_one(&table, &["plane", "cylinder", "sphere", "stl", "obj", "mesh"])?;
+        let material = format!("{table}.material");
+        match &wall.material {
+            _ if document.grains.is_none() => rules.no_effect(&material, "without [grains]")?,
+            Some(name) => rules.known(&material, "material", name, &materials)?,
+            None => rules.required(&material, "grains touch the wall: name one of [materials.*]")?,
+        }
+        rules.exactly_one(&table, &["plane", "cylinder", "sphere", "polyline", "stl", "obj", "mesh"])?;
+        if let Some(fluid) = held {
+            holds_fluid(document, fluid, rules, &table, wall)?;
+        }
         match wall.shape() {
             Some(WallShape::Plane(plane)) => {
                 rules.vector(&format!("{table}.plane.point"), &plane.point)?;
-                let allowed = "any direction, towards the grains";
+                let allowed = "any direction, towards grains and fluid";
                 direction(rules, &format!("{table}.plane.normal"), &plane.normal, allowed)?;
             }
             Some(WallShape::Cylinder(stated)) => cylinder(rules, &format!("{table}.cylinder"), stated)?,
@@ -27,6 +38,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
                 rules.vector(&format!("{table}.sphere.centre"), &sphere.centre)?;
                 rules.positive(&format!("{table}.sphere.radius"), sphere.radius)?;
             }
+            Some(WallShape::Polyline(line)) => polyline(rules, &format!("{table}.polyline"), line)?,
             Some(WallShape::Stl(file)) => triangles(rules, &format!("{table}.stl"), file)?,
             Some(WallShape::Obj(file)) => triangles(rules, &format!("{table}.obj"), file)?,
             Some(WallShape::Mesh(mesh)) => {
@@ -84,9 +96,69 @@ fn cylinder(rules: &Rules, table: &str, cylinder: &Cylinder) -> Result<(), CaseE
     rules.optional_positive(&key("length"), cylinder.length)
 }
 
+/// What a fluid asks of a wall that is to hold it.
+fn holds_fluid(
+    document: &Document,
+    fluid: &Fluid,
+    rules: &Rules,
+    table: &str,
+    wall: &Wall,
+) -> Result<(), CaseError> {
+    if !fluid.boundary.iter().any(|boundary| boundary.on.contains(&wall.name)) {
+        if document.grains.is_some() {
+            return Ok(());
+        }
+        let found = format!("\"{}\" holds neither grains nor the fluid", wall.name);
+        return rules.refuse(table, found, "", "name it in a [[fluid.boundary]], or delete it");
+    }
+    let refuse = |key: &str, found: &str, allowed: &str| {
+        rules.refuse(&format!("{table}.{key}"), format_args!("{found} cannot hold the fluid"), allowed, "")
+    };
+    if wall.cylinder.as_ref().is_some_and(|cylinder| cylinder.length.is_some()) {
+        return refuse(
+            "cylinder.length",
+            "a shell, which has two sides,",
+            "a cylinder without length, stl, obj",
+        );
+    }
+    if wall.mesh.is_some() {
+        return refuse("mesh", "a boundary of its own mesh", "the boundary itself in [[fluid.boundary]]");
+    }
+    if wall.servo.is_some() {
+        return refuse("servo", "a wall that gives way", "motion");
+    }
+    Ok(())
+}
+
+fn polyline(rules: &Rules, table: &str, line: &Polyline) -> Result<(), CaseError> {
+    if rules.dimension == Dimension::Three {
+        return rules.refuse(table, "a line is no wall in 3D", "", "use plane, stl or obj");
+    }
+    let key = format!("{table}.points");
+    if line.points.len() < 2 {
+        return rules.refuse(&key, format_args!("found {} points", line.points.len()), "2 or more", "");
+    }
+    for (k, point) in line.points.iter().enumerate() {
+        rules.vector(&format!("{key}[{k}]"), point)?;
+    }
+    let count = line.points.len();
+    match line.segments().iter().position(|[from, to]| from == to) {
+        Some(k) => {
+            let found = format!("the points {} and {} are the same", k + 1, (k + 1) % count + 1);
+            rules.refuse(&key, found, "", "delete one; closed = true needs no repetition of the first")
+        }
+        None => Ok(()),
+    }
+}
+
 fn triangles(rules: &Rules, table: &str, file: &SurfaceFile) -> Result<(), CaseError> {
     if rules.dimension == Dimension::Two {
-        return rules.refuse(table, "triangles are no walls in 2D", "", "use plane, sphere or mesh");
+        return rules.refuse(
+            table,
+            "triangles are no walls in 2D",
+            "",
+            "use plane, sphere, polyline or mesh",
+        );
     }
     rules.number(&format!("{table}.scale"), file.scale, file.scale > 0.0, "more than 0")
 }
@@ -173,12 +245,12 @@ mod tests {
                 (
                     PLANE,
                     "",
-                    "case.toml:22: wall[0]: none of these keys is given; allowed: exactly one of plane, cylinder, sphere, stl, obj, mesh",
+                    "case.toml:22: wall[0]: none of these keys is given; allowed: exactly one of plane, cylinder, sphere, polyline, stl, obj, mesh",
                 ),
                 (
                     "normal = [0, 0, 1]",
                     "normal = [0, 0, 0.0]",
-                    "case.toml:25: wall[0].plane.normal: all components are 0; allowed: any direction, towards the grains",
+                    "case.toml:25: wall[0].plane.normal: all components are 0; allowed: any direction, towards grains and fluid",
                 ),
                 (
                     "normal = [0, 0, 1]",
@@ -214,7 +286,7 @@ mod tests {
                 (
                     plane,
                     "stl = { path = \"x.stl\" }",
-                    "case.toml:35: wall[0].stl: triangles are no walls in 2D; use plane, sphere or mesh",
+                    "case.toml:35: wall[0].stl: triangles are no walls in 2D; use plane, sphere, polyline or mesh",
                 ),
                 (
                     plane,

@@ -1,7 +1,7 @@
 //! A step on the mesh at t_n: velocity and pressure of its middle, as one system.
 //!
 //! ρ Dv/Dt = ∇·τ − ∇p + ρg and ∇·v + (1/κ) Dp/Dt = 0 with P1 velocity and pressure on the mesh in the middle of the step,
-//! x_m = x_n + Δt v_m/2; traction is zero on the free surface. The mass row of a node is
+//! x_m = x_n + ½Δt v_m; traction is zero on the free surface. The mass row of a node is
 //!
 //! Σ_e [∫N ∇·v + τ∇N·(ρ(v_m − v_n)/(θΔt) + ∇p − ρg)] = 0:
 //!
@@ -12,12 +12,15 @@ mod cell;
 mod chunks;
 mod constraint;
 mod contact;
+mod evaluate;
 mod fault;
+mod finish;
 mod krylov;
 mod nodal;
 mod porous;
 mod preconditioner;
 mod pressure;
+mod setting;
 mod solution;
 mod solve;
 mod strain;
@@ -26,6 +29,7 @@ mod topology;
 mod velocity;
 
 pub use fault::FlowFault;
+pub use setting::{Control, Fluid, Forces};
 pub use solution::{FlowSolution, Residuals};
-pub use solve::{Control, Flow, Fluid, Forces};
+pub use solve::Flow;
 pub use strain::Strain;

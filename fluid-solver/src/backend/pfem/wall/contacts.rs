@@ -8,6 +8,16 @@ impl Contacts {
     /// Walls that a set can tell apart.
     pub const MOST: usize = u32::BITS as usize;
 
+    /// The set of these bits, one for each wall.
+    pub fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+
+    /// One bit for each wall.
+    pub fn bits(self) -> u32 {
+        self.0
+    }
+
     /// Adds a wall.
     pub fn insert(&mut self, wall: usize) {
         self.0 |= 1 << wall;

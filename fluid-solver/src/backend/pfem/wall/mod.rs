@@ -1,12 +1,21 @@
 //! Walls are geometry: nodes are on them only where they are wet, and slide.
 
+mod case;
 mod contacts;
+mod cut;
+mod patch;
 mod plane;
+mod round;
 
+pub use case::{refuse_gaps, walls};
 pub use contacts::Contacts;
+pub use cut::patches;
+pub use patch::Patch;
 pub use plane::Plane;
+pub use round::Round;
 
 use crate::element::simplex::Vector;
+use surface::motion::Motion;
 
 /// How a wall stands to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,11 +37,15 @@ pub enum Grip {
     NoSlip,
 }
 
-/// Shapes of walls.
+/// Shapes of walls, as they are at t = 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape<const D: usize> {
     /// A half space.
     Plane(Plane<D>),
+    /// A circle, a sphere, or a cylinder without ends.
+    Round(Round<D>),
+    /// Segments or triangles without a concave edge between them.
+    Patch(Patch<D>),
 }
 
 /// A wall.
@@ -44,13 +57,66 @@ pub struct Wall<const D: usize> {
     pub shape: Shape<D>,
     /// Whether the fluid sticks.
     pub grip: Grip,
+    /// How it moves.
+    motion: Option<Motion<D>>,
 }
 
 impl<const D: usize> Wall<D> {
+    /// A wall at rest.
+    pub fn new(name: impl Into<String>, shape: Shape<D>, grip: Grip) -> Self {
+        Self { name: name.into(), shape, grip, motion: None }
+    }
+
+    /// The wall, moving.
+    pub fn moving(self, motion: Motion<D>) -> Self {
+        Self { motion: Some(motion), ..self }
+    }
+
+    /// Whether it moves.
+    pub fn moves(&self) -> bool {
+        self.motion.is_some()
+    }
+
     /// How the wall stands to a point at a time (s).
-    pub fn touch(&self, x: &Vector<D>, _time: f64) -> Touch<D> {
-        match &self.shape {
-            Shape::Plane(plane) => plane.touch(x),
+    pub fn touch(&self, x: &Vector<D>, time: f64) -> Touch<D> {
+        let Some(motion) = &self.motion else { return self.shape.touch(x) };
+        let pose = motion.pose(time);
+        let at_start = self.shape.touch(&pose.unmoved(&(*x).into()).into());
+        let normal: Vector<D> = pose.turned(&at_start.normal.into()).into();
+        let place: Vector<D> = std::array::from_fn(|k| x[k] - at_start.gap * normal[k]);
+        Touch { gap: at_start.gap, normal, velocity: pose.velocity_at(&place.into()).into() }
+    }
+}
+
+impl<const D: usize> Shape<D> {
+    fn touch(&self, x: &Vector<D>) -> Touch<D> {
+        match self {
+            Self::Plane(plane) => plane.touch(x),
+            Self::Round(round) => round.touch(x),
+            Self::Patch(patch) => patch.touch(x),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_moving_wall_takes_along_its_gap_and_its_velocity() {
+        let floor = Plane { point: [0.0, 0.0], normal: [0.0, 1.0] };
+        let lift = Motion::translation([0.5, 2.0]);
+        let wall = Wall::new("lift", Shape::Plane(floor), Grip::Slip).moving(lift);
+        let touch = wall.touch(&[3.0, 5.0], 1.5);
+        assert_eq!((touch.gap, touch.normal, touch.velocity), (2.0, [0.0, 1.0], [0.5, 2.0]));
+        let turn = Motion::rotation([0.0, 0.0], [0.0, 0.0, TAU / 4.0]);
+        let wheel = Wall::new("wheel", Shape::Plane(floor), Grip::NoSlip).moving(turn);
+        // A quarter turn later what was the floor is a wall on the right, and the fluid on its left.
+        let touch = wheel.touch(&[-3.0, 2.0], 1.0);
+        assert!((touch.gap - 3.0).abs() < 1e-12);
+        assert!((touch.normal[0] + 1.0).abs() < 1e-12 && touch.normal[1].abs() < 1e-12);
+        let expected = [-TAU / 4.0 * 2.0, 0.0];
+        assert!((0..2).all(|k| (touch.velocity[k] - expected[k]).abs() < 1e-12), "{touch:?}");
     }
 }

@@ -2,8 +2,8 @@
 
 use super::super::draft::{Draft, area, height};
 use super::super::tessellation::Tessellation;
-use delaunay::HULL;
 use crate::backend::pfem::cloud::Cloud;
+use delaunay::HULL;
 
 /// A cell between two surfaces breaks when it is thinner than this share of h.
 const THINNEST: f64 = 0.05;

@@ -1,0 +1,60 @@
+//! `[fluid.pfem]` and `[[fluid.body]]`: what only a fluid of moving nodes has.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::boundary::BoundaryVelocity;
+use super::quantity::Length;
+use super::region::{Region, SphereRegion};
+use super::vector::Bounds;
+
+/// `[fluid.pfem]`
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Pfem {
+    /// Distance between neighbouring nodes that remeshing keeps; default that of the mesh at the start.
+    pub size: Option<Length>,
+    /// How the cells that are fluid are found between nodes that moved.
+    #[serde(default)]
+    pub recognition: Recognition,
+    /// Whether the surface is shifted, by at most a hundredth of a size a step, to give back the volume that remeshing
+    /// changed.
+    #[serde(default = "yes")]
+    pub volume_correction: bool,
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// How the cells that are fluid are found between nodes that moved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Recognition {
+    /// What lies in the moved old domain stays; what is new must be close and approaching.
+    #[default]
+    MovedDomain,
+    /// What is not larger than the size allows.
+    AlphaShape,
+}
+
+/// `[[fluid.body]]`: fluid besides that of the mesh; exactly one of `box` and `sphere` gives its shape.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Body {
+    /// An axis-aligned box.
+    #[serde(rename = "box")]
+    pub box_region: Option<Bounds>,
+    /// A sphere (2D: a circle).
+    pub sphere: Option<SphereRegion>,
+    /// Velocity at the start; default that of the fluid.
+    pub velocity: Option<BoundaryVelocity>,
+}
+
+impl Body {
+    /// Its shape: the one that loading has checked to be stated.
+    pub fn region(&self) -> Option<Region<'_>> {
+        let of_box = self.box_region.as_ref().map(|bounds| Region::Box(&bounds.lower, &bounds.upper));
+        of_box.or(self.sphere.as_ref().map(SphereRegion::region))
+    }
+}

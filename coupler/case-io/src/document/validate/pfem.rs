@@ -1,0 +1,135 @@
+//! `[fluid.pfem]`, `[[fluid.body]]`, and what of `[fluid.mesh]` a fluid of moving nodes does not have.
+
+use super::fluid::velocity;
+use super::rules::Rules;
+use crate::document::quantity::Length;
+use crate::document::vector::extent;
+use crate::document::{Body, Fluid, MeshSource, Region};
+use crate::error::CaseError;
+
+pub(super) fn check(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
+    let source = fluid.mesh.as_ref().and_then(|mesh| mesh.source());
+    if let Some(MeshSource::Box(mesh)) = source {
+        if !mesh.periodic.is_empty() {
+            let found = "the nodes of backend \"pfem\" move, and no axis wraps";
+            return rules.refuse("fluid.mesh.box.periodic", found, "", "delete it");
+        }
+        shortest(fluid, &extent(&mesh.lower, &mesh.upper), "fluid.mesh.box", rules)?;
+    }
+    let size = fluid.pfem.as_ref().and_then(|pfem| pfem.size);
+    rules.optional_positive("fluid.pfem.size", size)?;
+    if source.is_none() {
+        rules
+            .required("fluid.pfem.size", "without [fluid.mesh] nothing else says how fine the bodies are")?;
+    }
+    fluid.body.iter().enumerate().try_for_each(|(k, stated)| body(fluid, stated, k, rules))
+}
+
+fn body(fluid: &Fluid, body: &Body, index: usize, rules: &Rules) -> Result<(), CaseError> {
+    let table = format!("fluid.body[{index}]");
+    rules.exactly_one(&table, &["box", "sphere"])?;
+    match body.region() {
+        Some(Region::Box(lower, upper)) => {
+            let key = format!("{table}.box");
+            rules.corners(&key, lower, upper)?;
+            shortest(fluid, &extent(lower, upper), &key, rules)?;
+        }
+        Some(Region::Sphere(centre, radius)) => {
+            rules.vector(&format!("{table}.sphere.centre"), centre)?;
+            rules.positive(&format!("{table}.sphere.radius"), radius)?;
+            shortest(fluid, &[2.0 * radius.si(); 3], &format!("{table}.sphere"), rules)?;
+        }
+        _ => {}
+    }
+    velocity(&format!("{table}.velocity"), body.velocity.as_ref(), rules)
+}
+
+/// The size of the cells is at most the shortest edge of a body of this extent (m).
+fn shortest(fluid: &Fluid, extent: &[f64; 3], table: &str, rules: &Rules) -> Result<(), CaseError> {
+    let Some(size) = fluid.pfem.as_ref().and_then(|pfem| pfem.size) else { return Ok(()) };
+    let shortest = extent[..rules.dimension.count()].iter().copied().fold(f64::INFINITY, f64::min);
+    if size.si() <= shortest {
+        return Ok(());
+    }
+    let allowed = format!("at most the shortest edge of {table}, {}", Length::from_si(shortest));
+    rules.refuse("fluid.pfem.size", format_args!("found {size}"), allowed, "")
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::document::fixture::{TANK, assert_refusals, document};
+
+    #[test]
+    fn a_tank_of_moving_nodes_is_walls_and_a_free_surface() {
+        document(TANK);
+        assert_refusals(
+            TANK,
+            &[
+                (
+                    "kind = \"free-surface\"",
+                    "kind = \"outlet\"",
+                    "case.toml:18: fluid.boundary[1].kind: backend \"pfem\" has no kind \"outlet\"; allowed: no-slip, slip, free-surface; state a wall that moves as [[wall]] with motion",
+                ),
+                (
+                    "backend = \"pfem\"",
+                    "backend = \"eulerian\"",
+                    "case.toml:21: wall: has no effect without [grains]; delete it",
+                ),
+                (
+                    "size = \"0.1 m\" }",
+                    "size = \"0.1 m\", periodic = [\"x\"] }",
+                    "case.toml:12: fluid.mesh.box.periodic: the nodes of backend \"pfem\" move, and no axis wraps; delete it",
+                ),
+                (
+                    "[fluid.mesh]",
+                    "pfem = { size = \"2 m\" }\n[fluid.mesh]",
+                    "case.toml:11: fluid.pfem.size: found 2 m; allowed: at most the shortest edge of fluid.mesh.box, 1 m",
+                ),
+                (
+                    "\"y-max\"",
+                    "\"weir\"",
+                    "case.toml:19: fluid.boundary[2].on[0]: boundary \"weir\" is named twice; delete one",
+                ),
+                (
+                    "[[fluid.boundary]]\non = [\"weir\"]\nkind = \"slip\"\n",
+                    "",
+                    "case.toml:19: wall[0]: \"weir\" holds neither grains nor the fluid; name it in a [[fluid.boundary]], or delete it",
+                ),
+                (
+                    "name = \"weir\"",
+                    "name = \"weir\"\nmaterial = \"steel\"",
+                    "case.toml:24: wall[0].material: has no effect without [grains]; delete it",
+                ),
+                (
+                    "[\"3 m\", \"1 m\"]",
+                    "[\"3 m\", \"0 m\"]",
+                    "case.toml:24: wall[0].polyline.points: the points 1 and 2 are the same; delete one; closed = true needs no repetition of the first",
+                ),
+            ],
+        );
+    }
+
+    #[test]
+    fn a_body_has_one_shape_and_a_size() {
+        let with = |body: &str| format!("[[fluid.body]]\n{body}\n[fluid.mesh]");
+        let rows = [
+            (
+                with("velocity = [\"1 m/s\", \"0 m/s\"]"),
+                "case.toml:11: fluid.body[0]: none of these keys is given; allowed: exactly one of box, sphere",
+            ),
+            (
+                with("sphere = { centre = [\"1 m\", \"2 m\"], radius = \"0 m\" }"),
+                "case.toml:12: fluid.body[0].sphere.radius: found 0 m; allowed: more than 0 m",
+            ),
+        ];
+        for (to, message) in &rows {
+            assert_refusals(TANK, &[("[fluid.mesh]", to, message)]);
+        }
+        document(
+            &TANK.replace(
+                "[fluid.mesh]",
+                &with("sphere = { centre = [\"1 m\", \"2 m\"], radius = \"0.2 m\" }"),
+            ),
+        );
+    }
+}

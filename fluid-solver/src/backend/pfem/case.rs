@@ -1,0 +1,200 @@
+//! From a case to a fluid of moving nodes.
+
+use super::backend::{Pfem, Setting};
+use super::body::Body;
+use super::cloud::Cloud;
+use super::flow::{self, Control, Flow};
+use super::remesh::{Recognition, Remesher, TargetSize};
+use super::renewal::Renewal;
+use super::wall::{Wall, refuse_gaps, walls};
+use crate::backend::{FluidBackend, Response};
+use crate::boundary::velocity_field;
+use crate::element::simplex::{Vector, distance, longest_edge, volume_and_gradients};
+use crate::error::FluidError;
+use crate::grains::Medium;
+use crate::mesh::bins::{Bins, bounds};
+use crate::mesh::{self, Mesh};
+use case_io::document::{self, Case, Dimension, Fluid, MeshSource, Region};
+
+/// Circles of cells that are fluid are at most this many sizes in radius.
+const ALPHA: f64 = 1.25;
+/// A node this near to a wall touches it, in sizes; nearer to another node, both are one.
+const TOUCHING: f64 = 1e-6;
+/// Nodes are at most this many target sizes apart at the start.
+const SPARSE: f64 = 2.5;
+
+/// The fluid of a case.
+///
+/// # Errors
+/// A mesh, a body or a wall that is refused.
+pub fn of(case: &Case, fluid: &Fluid, response: Response) -> Result<Box<dyn FluidBackend>, FluidError> {
+    let has_mesh = fluid.mesh.is_some();
+    match case.document.case.dimension {
+        Dimension::Two => {
+            let mesh = has_mesh.then(|| mesh::case::plane(case, fluid)).transpose()?;
+            let recognition = match fluid.pfem.as_ref().map(|pfem| pfem.recognition).unwrap_or_default() {
+                document::Recognition::MovedDomain => Recognition::MovedDomain,
+                document::Recognition::AlphaShape => Recognition::AlphaShape { alpha: ALPHA },
+            };
+            Ok(Box::new(backend::<2, 3>(
+                case,
+                fluid,
+                mesh,
+                Box::new(Remesher::<2, 3>::new(recognition)),
+                response,
+            )?))
+        }
+        Dimension::Three => {
+            let found = "backend \"pfem\" finds its mesh anew in 2D only";
+            Err(case.error("case.dimension", found, "2", "use backend = \"eulerian\"").into())
+        }
+    }
+}
+
+fn backend<const D: usize, const N: usize>(
+    case: &Case,
+    fluid: &Fluid,
+    mesh: Option<Mesh<D, N>>,
+    renewal: Box<dyn Renewal<D, N>>,
+    response: Response,
+) -> Result<Pfem<D, N>, FluidError> {
+    let table = &case.document.case;
+    let stated = fluid.pfem.as_ref().and_then(|pfem| pfem.size).map(|size| size.si());
+    let first = mesh.as_ref().map(|mesh| start(fluid, mesh));
+    let size = stated.or(first.as_ref().map(Body::mean_size)).unwrap_or_default();
+    let walls = walls(case, fluid, mesh.as_ref())?;
+    refuse_gaps(case, &walls, size)?;
+    let cloud = cloud(case, fluid, first, &walls, size)?;
+    let body_force = fluid.body_force.as_ref().map_or([0.0; D], |force| force.to_array());
+    let gravity: Vector<D> = table.gravity.to_array();
+    let setting = Setting {
+        walls,
+        size: TargetSize::Constant(size),
+        acceleration: std::array::from_fn(|k| gravity[k] + body_force[k]),
+        response,
+        medium: Medium { density: fluid.density.si(), viscosity: fluid.viscosity.si() },
+        depth: if D == 2 { table.depth() } else { 1.0 },
+        surface: mesh.as_ref().map(Mesh::surface),
+    };
+    let properties =
+        flow::Fluid { density: fluid.density.si(), viscosity: fluid.viscosity.si(), bulk_modulus: None };
+    let control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
+    Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal))
+}
+
+/// The body that the mesh is, its top where the case states it.
+fn start<const D: usize, const N: usize>(fluid: &Fluid, mesh: &Mesh<D, N>) -> Body<D, N> {
+    let body = Body::of_mesh(mesh);
+    let Some(MeshSource::Box(stated)) = fluid.mesh.as_ref().and_then(|mesh| mesh.source()) else {
+        return body;
+    };
+    let Some(surface) = &stated.surface else { return body };
+    let (lower, upper) = (stated.lower.to_array::<D>(), stated.upper.to_array::<D>());
+    let height = |x: &Vector<D>| {
+        let across = std::array::from_fn(|k| if k + 1 < D { x[k] } else { 0.0 });
+        surface.evaluate(across, 0.0)
+    };
+    body.with_surface(lower[D - 1], upper[D - 1], height)
+}
+
+/// All bodies of the case, with their velocities, touching their walls.
+fn cloud<const D: usize, const N: usize>(
+    case: &Case,
+    fluid: &Fluid,
+    first: Option<Body<D, N>>,
+    walls: &[Wall<D>],
+    size: f64,
+) -> Result<Cloud<D, N>, FluidError> {
+    let mut all = first.unwrap_or_default();
+    let whole = velocity_field(fluid.velocity.as_ref());
+    let mut velocity: Vec<Vector<D>> = all.place.iter().map(|x| whole(x, 0.0)).collect();
+    for (index, stated) in fluid.body.iter().enumerate() {
+        let key = format!("fluid.body[{index}]");
+        let body = match stated.region() {
+            Some(Region::Box(lower, upper)) => Body::of_box(lower.to_array(), upper.to_array(), size)?,
+            Some(Region::Sphere(centre, radius)) => Body::of_sphere(centre.to_array(), radius.si(), size)
+                .map_err(|error| case.error(&key, error, "", ""))?,
+            _ => return Err(case.error(&key, "it has no shape", "box, sphere", "").into()),
+        };
+        let own = stated.velocity.as_ref().map_or(whole.clone(), |own| velocity_field(Some(own)));
+        velocity.extend(body.place.iter().map(|x| own(x, 0.0)));
+        all.join(body);
+    }
+    refuse_unfit(case, &all, size)?;
+    let mut cloud = all.cloud();
+    cloud.velocity = velocity;
+    touch(case, &mut cloud, walls, size)?;
+    Ok(cloud)
+}
+
+/// Refuses a fluid without volume, nodes too far apart for the size, and nodes at one place.
+fn refuse_unfit<const D: usize, const N: usize>(
+    case: &Case,
+    body: &Body<D, N>,
+    size: f64,
+) -> Result<(), FluidError> {
+    let least = TOUCHING * size.powi(D as i32);
+    for cell in &body.cells {
+        let vertices = body.vertices(cell);
+        if volume_and_gradients(&vertices).0 <= least {
+            let found = format!("the fluid at {:?} m has no volume", vertices[0]);
+            return Err(case.error("fluid.mesh", found, "", "raise its surface above its bottom").into());
+        }
+    }
+    let edge = |cell: &[u32; N]| (longest_edge(&body.vertices(cell)), cell[0]);
+    let Some((longest, node)) = body.cells.iter().map(edge).reduce(|a, b| if b.0 > a.0 { b } else { a })
+    else {
+        return Err(case
+            .error("fluid", "it has a volume of 0", "", "add [fluid.mesh] or [[fluid.body]]")
+            .into());
+    };
+    if longest > SPARSE * size {
+        let found =
+            format!("{size:.3e} m, but at {:?} m nodes are {longest:.3e} m apart", body.place[node as usize]);
+        let allowed = format!("{:.3e} m or more", longest / SPARSE);
+        return Err(case
+            .error("fluid.pfem.size", found, allowed, "make the mesh finer, or its cells alike")
+            .into());
+    }
+    match twins(&body.place, TOUCHING * size) {
+        Some(x) => {
+            let found = format!("two nodes are at {x:?} m");
+            Err(case.error("fluid", found, "", "take one away, or part the bodies").into())
+        }
+        None => Ok(()),
+    }
+}
+
+/// A place with another nearer than `near` (m).
+fn twins<const D: usize>(places: &[Vector<D>], near: f64) -> Option<Vector<D>> {
+    let around = |x: &Vector<D>| (x.map(|c| c - near), x.map(|c| c + near));
+    let bins = Bins::new(bounds(places), places.len(), places.len(), |node| around(&places[node]));
+    places.iter().enumerate().find_map(|(node, x)| {
+        let others = bins.bin(&bins.index(x)).iter().map(|&other| other as usize);
+        others.filter(|&other| other > node).find(|&other| distance(x, &places[other]) < near).map(|_| *x)
+    })
+}
+
+/// Finds the walls that nodes touch at the start.
+fn touch<const D: usize, const N: usize>(
+    case: &Case,
+    cloud: &mut Cloud<D, N>,
+    walls: &[Wall<D>],
+    size: f64,
+) -> Result<(), FluidError> {
+    for (x, contacts) in cloud.place.iter().zip(&mut cloud.contacts) {
+        for (index, wall) in walls.iter().enumerate() {
+            let gap = wall.touch(x, 0.0).gap;
+            if gap < -TOUCHING * size {
+                let found =
+                    format!("the fluid at {x:?} m is {:.3e} m behind the wall \"{}\"", -gap, wall.name);
+                let advice = "move the wall or the fluid, or turn the wall round";
+                return Err(case.error("fluid", found, "fluid on the walls' own side", advice).into());
+            }
+            if gap <= TOUCHING * size {
+                contacts.insert(index);
+            }
+        }
+    }
+    Ok(())
+}

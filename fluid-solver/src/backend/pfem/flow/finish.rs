@@ -1,0 +1,74 @@
+//! The end of a step.
+
+use super::contact::moved;
+use super::krylov::split;
+use super::solution::FlowSolution;
+use super::solve::{Flow, Progress, Start};
+use crate::element::simplex::Vector;
+
+impl<const D: usize, const N: usize> Flow<D, N> {
+    /// The velocity at the end, and what the walls did.
+    ///
+    /// Σ m_i (v_{n+1} − v_n) = Δt Σ (forces + reactions) to round-off: what the solver left of the rows of free nodes,
+    /// their inner forces having no sum, is taken from all of them alike.
+    pub(super) fn finish(
+        &self,
+        start: Start<'_, D, N>,
+        velocity: Vec<Vector<D>>,
+        pressure: Vec<f64>,
+        progress: Progress,
+    ) -> FlowSolution<D> {
+        let Start { cloud, walls, step, forces } = start;
+        let (rows, _) = split::<D>(&self.rows);
+        let volumes = self.assembly.volumes.iter().zip(&cloud.drop);
+        let mass: Vec<f64> = volumes.map(|(volume, drop)| self.fluid.density * (volume + drop)).collect();
+        let is_free = |node: usize| self.contact.touched[node].is_empty();
+        // Of the velocity at the end.
+        let drag = |node: usize| forces.grains.map_or(0.0, |grains| grains.drag.resistance[node]);
+        let (mut left, mut resistance) = ([0.0; D], 0.0);
+        for node in (0..mass.len()).filter(|&node| is_free(node)) {
+            resistance += self.fluid.density * self.assembly.volumes[node] / step.length + drag(node);
+            left = moved(&left, 1.0, &rows[node]);
+        }
+        let drift = left.map(|left| if resistance > 0.0 { left / resistance } else { 0.0 });
+        let mut end_velocity = cloud.velocity.clone();
+        let mut reaction = vec![[0.0; D]; mass.len()];
+        for node in 0..mass.len() {
+            let (before, middle) = (&cloud.velocity[node], &velocity[node]);
+            let flies = self.assembly.volumes[node] == 0.0;
+            let implicitness = if flies { 0.5 } else { self.implicitness };
+            let change: Vector<D> = std::array::from_fn(|k| (middle[k] - before[k]) / implicitness);
+            let end = &mut end_velocity[node];
+            *end = moved(end, 1.0, &change);
+            if is_free(node) {
+                if !flies {
+                    *end = moved(end, -1.0, &drift);
+                }
+                continue;
+            }
+            let unheld = *end;
+            *end = self.contact.at_end(cloud, walls, step, node, middle, end);
+            let other: Vector<D> = if flies {
+                forces.gravity.map(|g| mass[node] * g)
+            } else {
+                std::array::from_fn(|k| mass[node] * change[k] / step.length - rows[node][k])
+            };
+            reaction[node] = std::array::from_fn(|k| {
+                let inertia = mass[node] * (end[k] - before[k]) / step.length;
+                inertia + drag(node) * (end[k] - unheld[k]) - other[k]
+            });
+        }
+        FlowSolution {
+            velocity,
+            end_velocity,
+            pressure,
+            contacts: self.contact.touched.clone(),
+            reaction,
+            mass,
+            implicitness: self.implicitness,
+            iterations: progress.iterations,
+            passes: progress.passes,
+            residuals: progress.residuals,
+        }
+    }
+}

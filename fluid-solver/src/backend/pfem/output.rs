@@ -1,0 +1,105 @@
+//! What the fluid writes: statistics and frames.
+
+use super::backend::Setting;
+use super::cloud::Cloud;
+use super::grains::GrainsInCloud;
+use super::state::State;
+use crate::element::simplex::{Vector, dot};
+use crate::error::FluidError;
+use case_io::output::vtk::{Compression, Field, Format, Precision, UnstructuredGrid};
+use std::path::{Path, PathBuf};
+
+/// Volume and energy with their audits, momentum, extremes: name with unit, value. In 2D those of the slab.
+pub fn statistics<const D: usize, const N: usize>(
+    state: &State<D, N>,
+    setting: &Setting<D>,
+    grains: &GrainsInCloud<D, N>,
+) -> Vec<(&'static str, f64)> {
+    const MOMENTUM: [&str; 3] = ["momentum-x[kg m/s]", "momentum-y[kg m/s]", "momentum-z[kg m/s]"];
+    const REACH: [[&str; 2]; 3] =
+        [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
+    let (cloud, books, depth) = (&state.cloud, &state.books.volume, setting.depth);
+    let (kinetic, potential) = state.energies(setting.medium.density, &setting.acceleration);
+    let remeshing = &state.books.energy;
+    let by_remeshing = setting.medium.density
+        * (remeshing.kinetic.sum
+            - (0..D).map(|k| setting.acceleration[k] * remeshing.moment[k].sum).sum::<f64>());
+    let volume = books.cells + books.drops;
+    let mut found = vec![
+        ("volume[m^3]", depth * volume),
+        ("volume-error[-]", (volume - books.target) / books.target),
+        ("drops[m^3]", depth * books.drops),
+        ("volume-by-flow[m^3]", depth * books.flow.sum),
+        ("volume-by-management[m^3]", depth * books.management.sum),
+        ("volume-by-overlap[m^3]", depth * books.overlap.sum),
+        ("volume-by-merging[m^3]", depth * books.merging.sum),
+        ("volume-by-separation[m^3]", depth * books.separation.sum),
+        ("volume-by-absorption[m^3]", depth * books.absorption.sum),
+        ("volume-by-correction[m^3]", depth * books.correction.sum),
+        ("volume-moved-by-correction[m^3]", depth * books.correction.absolute),
+        ("kinetic-energy[J]", depth * kinetic),
+        ("potential-energy[J]", depth * potential),
+        ("energy[J]", depth * (kinetic + potential)),
+        ("energy-by-remeshing[J]", depth * by_remeshing),
+        ("energy-lost[J]", depth * (state.given - kinetic - potential)),
+    ];
+    let mass = lumped(cloud);
+    let momentum = |k: usize| mass.iter().zip(&cloud.velocity).map(|(mass, v)| mass * v[k]).sum::<f64>();
+    found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.medium.density * momentum(k))));
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
+    for (k, [lowest, highest]) in REACH.into_iter().take(D).enumerate() {
+        let reach = |sign: f64| sign * largest(&mut cloud.place.iter().map(|x| sign * x[k]));
+        found.extend([(lowest, reach(-1.0)), (highest, reach(1.0))]);
+    }
+    let drops = cloud.drop.iter().filter(|&&drop| drop > 0.0).count();
+    found.extend([
+        ("speed-max[m/s]", largest(&mut cloud.velocity.iter().map(|v| dot(v, v).sqrt()))),
+        ("pressure-min[Pa]", -largest(&mut cloud.pressure.iter().map(|p| -p))),
+        ("pressure-max[Pa]", largest(&mut cloud.pressure.iter().copied())),
+        ("grains-volume[m^3]", depth * grains.wetted_volume()),
+        ("void-fraction-min[-]", -largest(&mut grains.void_fraction().iter().map(|void| -void))),
+        ("nodes[-]", cloud.place.len() as f64),
+        ("cells[-]", cloud.cells.len() as f64),
+        ("drop-count[-]", drops as f64),
+    ]);
+    found
+}
+
+/// Volume around each node: an N-th of its cells, or that of a drop.
+fn lumped<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Vec<f64> {
+    let mut lumped = cloud.drop.clone();
+    for cell in &cloud.cells {
+        let share = crate::element::simplex::volume_and_gradients(&cloud.vertices(cell)).0 / N as f64;
+        for &node in cell {
+            lumped[node as usize] += share;
+        }
+    }
+    lumped
+}
+
+/// Writes nodes and cells with velocity, pressure, void fraction and the volume of drops, which belong to no cell, to a VTU file.
+///
+/// # Errors
+/// The disk's.
+pub fn write_frame<const D: usize, const N: usize>(
+    cloud: &Cloud<D, N>,
+    void_fraction: &[f64],
+    path: &Path,
+    compress: bool,
+) -> Result<PathBuf, FluidError> {
+    let velocity: &[Vector<D>] = &cloud.velocity;
+    let grid = UnstructuredGrid {
+        points: &cloud.place,
+        cells: &cloud.cells,
+        point_fields: &[
+            Field::vector("velocity", velocity),
+            Field::scalar("pressure", &cloud.pressure),
+            Field::scalar("void_fraction", void_fraction),
+            Field::scalar("drop", &cloud.drop),
+        ],
+        cell_fields: &[],
+    };
+    let compression = if compress { Compression::Lz4 } else { Compression::None };
+    grid.write(path, Format { precision: Precision::default(), compression })?;
+    Ok(path.to_path_buf())
+}

@@ -1,0 +1,132 @@
+//! Segments (2D) or triangles (3D) that meet at flat or convex edges only: a point touches such a surface once.
+
+use super::Touch;
+use crate::element::closest_point::on_facet;
+use crate::element::simplex::{Vector, difference, distance, dot};
+use crate::mesh::bins::{Bins, bounds};
+
+/// What is at a side of a facet: a vertex of a segment, an edge of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// Another facet of the patch.
+    Joined,
+    /// A facet of another patch of the same surface, across a concave edge.
+    Concave,
+    /// Nothing: the surface ends.
+    Rim,
+}
+
+/// A facet; the fluid is on the left of a segment, and on the side from which a triangle's vertices go round anticlockwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Facet<const D: usize> {
+    pub vertices: [Vector<D>; D],
+    /// Unit normal towards the fluid.
+    pub normal: Vector<D>,
+    /// What is at the side opposite to each vertex.
+    pub sides: [Side; D],
+}
+
+/// Facets without a concave edge between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Patch<const D: usize> {
+    facets: Vec<Facet<D>>,
+    bins: Bins<D>,
+    /// Size of the surface, for round-off (m).
+    extent: f64,
+}
+
+/// Distances that differ by less, in parts of the extent, are one.
+const ONE: f64 = 1e-10;
+
+impl<const D: usize> Patch<D> {
+    pub(super) fn new(facets: Vec<Facet<D>>) -> Self {
+        let around = bounds(facets.iter().flat_map(|facet| &facet.vertices));
+        let extent = distance(&around.0, &around.1);
+        let bins = Bins::new(around, facets.len(), facets.len(), |k| bounds(&facets[k].vertices));
+        Self { facets, bins, extent }
+    }
+
+    /// Vertices where the surface ends.
+    pub fn ends(&self) -> impl Iterator<Item = Vector<D>> {
+        self.facets.iter().flat_map(|facet| {
+            let ends = facet.sides.iter().enumerate().filter(|(_, side)| **side == Side::Rim);
+            ends.flat_map(move |(k, _)| (1..D).map(move |step| facet.vertices[(k + step) % D]))
+        })
+    }
+
+    /// How it stands to a point x: with the nearest point c of the facet whose gap n·(x − c) is the largest of those equally
+    /// near, which at a convex edge is the one that faces x.
+    ///
+    /// Off the end of the surface the gap is |x − c|. At a concave edge the facet goes on behind the other patch for as far
+    /// as it is long: what is there is behind the wall.
+    pub(super) fn touch(&self, x: &Vector<D>) -> Touch<D> {
+        let off = |facet: &Facet<D>| difference(x, &on_facet(&facet.vertices, x));
+        let squared = |k: u32| {
+            let d = off(&self.facets[k as usize]);
+            dot(&d, &d)
+        };
+        let Some(nearest) = self.bins.nearest(x, squared) else { unreachable!("a patch has a facet") };
+        let least = squared(nearest).sqrt();
+        let mut chosen = &self.facets[nearest as usize];
+        let mut place = on_facet(&chosen.vertices, x);
+        let mut gap = dot(&chosen.normal, &difference(x, &place));
+        if gap.abs() >= least - ONE * self.extent {
+            return Touch { gap, normal: chosen.normal, velocity: [0.0; D] };
+        }
+        let around = |shift: f64| place.map(|c| c + shift * ONE * self.extent);
+        let (low, high) = (self.bins.index(&around(-1.0)), self.bins.index(&around(1.0)));
+        crate::mesh::bins::for_each_index(&low, &high, |index| {
+            for facet in self.bins.bin(index).iter().map(|&k| &self.facets[k as usize]) {
+                let d = off(facet);
+                let found = dot(&facet.normal, &d);
+                if dot(&d, &d).sqrt() <= least + ONE * self.extent && found > gap {
+                    (chosen, gap) = (facet, found);
+                }
+            }
+        });
+        place = on_facet(&chosen.vertices, x);
+        let ends = match self.end_at(chosen, &place) {
+            Side::Joined => false,
+            Side::Concave => least > chosen.length(),
+            Side::Rim => true,
+        };
+        if ends && least > 0.0 {
+            let away = difference(x, &place).map(|c| c / least);
+            return Touch { gap: least, normal: away, velocity: [0.0; D] };
+        }
+        Touch { gap, normal: chosen.normal, velocity: [0.0; D] }
+    }
+
+    /// What is at the place of a facet's side.
+    fn end_at(&self, facet: &Facet<D>, place: &Vector<D>) -> Side {
+        let mut met = Side::Joined;
+        for (k, side) in facet.sides.iter().enumerate() {
+            if distance(&on_side(&facet.vertices, k, place), place) <= ONE * self.extent {
+                met = match (met, side) {
+                    (Side::Rim, _) | (_, Side::Rim) => Side::Rim,
+                    (Side::Concave, _) | (_, Side::Concave) => Side::Concave,
+                    _ => Side::Joined,
+                };
+            }
+        }
+        met
+    }
+}
+
+/// The point nearest to x of the side opposite to vertex k.
+fn on_side<const D: usize>(vertices: &[Vector<D>; D], k: usize, x: &Vector<D>) -> Vector<D> {
+    let a = vertices[(k + 1) % D];
+    if D == 2 {
+        return a;
+    }
+    let along = difference(&vertices[(k + 2) % D], &a);
+    let share = (dot(&difference(x, &a), &along) / dot(&along, &along)).clamp(0.0, 1.0);
+    std::array::from_fn(|i| a[i] + share * along[i])
+}
+
+impl<const D: usize> Facet<D> {
+    /// Its longest side.
+    fn length(&self) -> f64 {
+        (0..D).map(|k| distance(&self.vertices[k], &self.vertices[(k + 1) % D])).fold(0.0, f64::max)
+    }
+}
