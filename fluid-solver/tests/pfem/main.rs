@@ -1,7 +1,7 @@
 //! Claims about `pfem`.
 
 mod flow;
-mod space;
 mod grains;
 mod remesh;
+mod space;
 mod support;

@@ -17,7 +17,7 @@ pub struct Outcome {
     pub energy_left: f64,
 }
 
-/// Flow and remeshing to `end`; a step that would turn cells over is halved, down to 1/64.
+/// Flow and remeshing to `end`; a step that proves too long is halved, down to 1/64.
 pub fn run(fluid: &mut Fluid, end: f64, dt: f64) -> Outcome {
     let mut solver: Flow<2, 3> = flow(WATER, 1e-6);
     let start = fluid.energy();
@@ -28,7 +28,9 @@ pub fn run(fluid: &mut Fluid, end: f64, dt: f64) -> Outcome {
             let step = Step { time: fluid.time, length };
             match solver.solve(&fluid.cloud, &fluid.walls, step, &gravity()) {
                 Ok(solution) => break solution,
-                Err(FlowFault::Inverted { .. }) if length > dt / 64.0 => length *= 0.5,
+                Err(FlowFault::Inverted { .. } | FlowFault::NotConverged { .. }) if length > dt / 64.0 => {
+                    length *= 0.5;
+                }
                 Err(fault) => panic!("t = {} s: {fault}", fluid.time),
             }
         };

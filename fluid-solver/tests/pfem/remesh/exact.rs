@@ -46,7 +46,8 @@ fn a_front_that_slides_along_the_floor_keeps_its_contact_node() {
         assert!((foremost / front - 1.0).abs() < 1e-6, "{foremost} {front}");
     }
     fluid.check();
-    let on_floor: Vec<_> = (0..fluid.cloud.place.len()).filter(|&n| fluid.cloud.contacts[n].contains(2)).collect();
+    let on_floor: Vec<_> =
+        (0..fluid.cloud.place.len()).filter(|&n| fluid.cloud.contacts[n].contains(2)).collect();
     assert!(on_floor.iter().all(|&node| fluid.cloud.place[node][1] == 0.0));
     assert!(on_floor.len() > 20, "the floor got nodes as it became longer");
     assert!(fluid.volume_error().abs() < 1e-6, "{}", fluid.volume_error());

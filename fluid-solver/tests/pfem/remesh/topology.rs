@@ -18,7 +18,9 @@ fn pieces(fluid: &Fluid) -> usize {
     for cell in &fluid.cloud.cells {
         let roots = cell.map(|node| root(&piece, node as usize));
         let least = roots.into_iter().min().unwrap();
-        roots.map(|other| piece[other] = least);
+        for other in roots {
+            piece[other] = least;
+        }
     }
     let wet = fluid.cloud.wet();
     (0..piece.len()).filter(|&node| wet[node] && piece[node] == node).count()
@@ -56,7 +58,9 @@ fn a_sheet_that_thins_breaks_into_drops_that_carry_its_volume() {
     let (mut released, mut largest) = (0, 0.0f64);
     // A neck at the middle, twice as wide as h.
     for _ in 0..400 {
-        let events = fluid.carry(0.01, |x, _| [(40.0 * x[0]).clamp(-1.0, 1.0) * 0.05, if x[0].abs() < 0.025 { -2.0 * x[1] } else { 0.0 }]);
+        let events = fluid.carry(0.01, |x, _| {
+            [(40.0 * x[0]).clamp(-1.0, 1.0) * 0.05, if x[0].abs() < 0.025 { -2.0 * x[1] } else { 0.0 }]
+        });
         released += events.released + events.broken;
         largest = largest.max(fluid.volume_error().abs());
     }

@@ -12,7 +12,8 @@ pub fn land_on_walls(cloud: &mut Cloud<2, 3>, draft: &Draft, walls: &[Wall<2>], 
         for i in (0..3).filter(|&i| cloud.neighbours[c][i] == OUTSIDE) {
             let (node, base) = (cell[i] as usize, [1, 2].map(|k| cell[(i + k) % 3] as usize));
             let common = cloud.contacts[base[0]].common(cloud.contacts[base[1]]);
-            let height = 2.0 * area(&cloud.vertices(&cell)) / distance(&cloud.place[base[0]], &cloud.place[base[1]]);
+            let height =
+                2.0 * area(&cloud.vertices(&cell)) / distance(&cloud.place[base[0]], &cloud.place[base[1]]);
             if !draft.exposed[node] || height > super::FILM * draft.size[node] {
                 continue;
             }

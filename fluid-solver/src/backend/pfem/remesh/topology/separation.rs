@@ -14,7 +14,10 @@ const SMALLEST_DROP: f64 = 1e-3;
 /// Breaks thin cells that have all corners on the surface and a side that is open: others would leave a hole. Nodes that lose their last cell become drops with its volume.
 /// Returns the number of cells and the area that is in none of the drops.
 pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut Tessellation) -> (u32, f64) {
-    let mut exposed = vec![false; cloud.place.len()];
+    let mut scratch = std::mem::take(&mut triangles.scratch);
+    let exposed = &mut scratch.marks;
+    exposed.clear();
+    exposed.resize(cloud.place.len(), false);
     for triangle in (0..triangles.len()).filter(|&triangle| triangles.fluid[triangle]) {
         let nodes = triangles.nodes(triangle);
         for i in (0..3).filter(|&i| !triangles.fluid_across(triangle, i)) {
@@ -36,7 +39,8 @@ pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut 
     broken.iter().for_each(|&triangle| triangles.fluid[triangle] = false);
     let mut lost = 0.0;
     if !broken.is_empty() {
-        let wet = triangles.wet(cloud.place.len());
+        let wet = &mut scratch.marks;
+        triangles.mark_wet(cloud.place.len(), wet);
         for &triangle in &broken {
             let volume = area(&triangles.vertices(triangle));
             let h = draft.size[triangles.nodes(triangle)[0] as usize];
@@ -50,6 +54,7 @@ pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut 
             }
         }
     }
+    triangles.scratch = scratch;
     (broken.len() as u32, lost)
 }
 
