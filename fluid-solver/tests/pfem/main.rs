@@ -3,5 +3,6 @@
 mod backend;
 mod flow;
 mod grains;
+mod remesh;
 mod space;
 mod support;

@@ -27,6 +27,8 @@ pub struct Draft<const D: usize = 2> {
     pub mass: Vec<f64>,
     /// Whether nodes came, went or were moved by an edit.
     pub edited: bool,
+    /// Edges that wait to be forced into the triangulation.
+    pub waiting: Vec<[u32; 2]>,
     youngest: u32,
     place_of: Vec<u32>,
 }

@@ -67,16 +67,17 @@ impl Remesher<2, 3> {
 
         let moved = correction::enclosed(cloud, &self.draft);
         book.flow.add(moved - book.cells);
-        let change = management::manage(cloud, &mut self.draft, walls, time);
-        book.management.add(change);
-        let missing = book.target - moved - change - cloud.drop.iter().sum::<f64>();
+        management::manage(cloud, &mut self.draft, walls, time);
+        let managed = correction::enclosed(cloud, &self.draft);
+        book.management.add(managed - moved);
+        let missing = book.target - managed - cloud.drop.iter().sum::<f64>();
         correction::restore(cloud, &self.draft, walls, time, missing, &mut self.gradient);
         let restored = correction::enclosed(cloud, &self.draft);
-        book.correction.add(restored - moved - change);
+        book.correction.add(restored - managed);
 
         let (draft, triangles) = (&mut self.draft, &mut self.triangles);
-        let mut events = Events::default();
-        events.crossed = !self.recognition.recognise(cloud, draft, triangles)?;
+        let crossed = !self.recognition.recognise(cloud, draft, triangles)?;
+        let mut events = Events { crossed, ..Events::default() };
         let recognised = self.fluid_volume();
         books.volume.overlap.add(recognised - restored);
         self.topology(cloud, &mut books.volume, &mut events);
@@ -106,12 +107,14 @@ impl Remesher<2, 3> {
         book.absorption.add(-owed);
         (events.closed, events.filled, events.broken) = (closed, filled, broken);
         (events.released, events.absorbed) = (released, absorbed);
-        let wet = triangles.wet(cloud.place.len());
+        let mut wet = std::mem::take(&mut triangles.scratch.marks);
+        triangles.mark_wet(cloud.place.len(), &mut wet);
         for node in 0..cloud.place.len() {
             if !wet[node] && cloud.drop[node] == 0.0 && !draft.removed[node] {
                 draft.remove(node as u32);
             }
         }
+        triangles.scratch.marks = wet;
     }
 
     fn fluid_volume(&self) -> f64 {

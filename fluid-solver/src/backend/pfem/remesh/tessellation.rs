@@ -19,8 +19,25 @@ pub struct Tessellation {
     pub point_of: Vec<u32>,
     /// Whether each triangle is fluid.
     pub fluid: Vec<bool>,
+    /// Lists that passes over the triangles need.
+    pub scratch: Scratch,
     rank: Vec<u32>,
     delaunay: Delaunay<2, 3>,
+}
+
+/// Lists that passes over the triangles need; they hold nothing from pass to pass.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    /// Winding number of each triangle.
+    pub winding: Vec<Option<i32>>,
+    /// By how much it grows across each edge into the triangle.
+    pub steps: Vec<[i32; 3]>,
+    /// Whether a triangle was visited.
+    pub seen: Vec<bool>,
+    /// Triangles to visit.
+    pub front: Vec<usize>,
+    /// A mark per node.
+    pub marks: Vec<bool>,
 }
 
 impl Tessellation {
@@ -66,21 +83,27 @@ impl Tessellation {
         self.made.triangulation.neighbours[triangle]
     }
 
+    /// Whether all corners touch the same wall.
+    pub fn along_one_wall(&self, cloud: &Cloud<2, 3>, triangle: usize) -> bool {
+        let [a, b, c] = self.nodes(triangle).map(|node| cloud.contacts[node as usize]);
+        !a.common(b).common(c).is_empty()
+    }
+
     /// Whether the neighbour is fluid.
     pub fn fluid_across(&self, triangle: usize, corner: usize) -> bool {
         let neighbour = self.neighbours(triangle)[corner];
         neighbour != HULL && self.fluid[neighbour as usize]
     }
 
-    /// For each of `nodes` nodes whether it belongs to a fluid triangle.
-    pub fn wet(&self, nodes: usize) -> Vec<bool> {
-        let mut wet = vec![false; nodes];
+    /// Marks each of `nodes` nodes that belongs to a fluid triangle.
+    pub fn mark_wet(&self, nodes: usize, wet: &mut Vec<bool>) {
+        wet.clear();
+        wet.resize(nodes, false);
         for triangle in (0..self.len()).filter(|&triangle| self.fluid[triangle]) {
             for node in self.nodes(triangle) {
                 wet[node as usize] = true;
             }
         }
-        wet
     }
 
     /// Number of fluid triangles.

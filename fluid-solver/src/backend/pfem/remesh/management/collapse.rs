@@ -5,11 +5,11 @@ use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::{Contacts, Wall};
 use crate::element::simplex::{Vector, difference, distance, dot};
 
-/// Collapses edges shorter than half of h, shortest first; returns the change of area.
+/// Collapses edges shorter than half of h, shortest first.
 ///
 /// The edge b–c between a and d becomes a node m with area(a, m, d) = area(a, b, c, d). A node at more walls than
 /// the other keeps its place; the contact node of a wall does so too.
-pub fn collapse_short_edges(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &[Wall<2>], time: f64) -> f64 {
+pub fn collapse_short_edges(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &[Wall<2>], time: f64) {
     let length = |edge: &[u32; 2]| distance(&cloud.place[edge[0] as usize], &cloud.place[edge[1] as usize]);
     let mut short: Vec<(f64, [u32; 2])> = draft
         .edges
@@ -18,7 +18,6 @@ pub fn collapse_short_edges(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &
         .filter(|(length, [b, c])| *length < super::SHORTEST * draft.size_between(*b, *c))
         .collect();
     short.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
-    let mut change = 0.0;
     let mut touched = vec![false; if short.is_empty() { 0 } else { cloud.place.len() }];
     let mut collapsed = false;
     for (length, [b, c]) in short {
@@ -32,8 +31,6 @@ pub fn collapse_short_edges(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &
         else {
             continue;
         };
-        let at = |node: u32| cloud.place[node as usize];
-        change += polygon(&[at(a), place, at(d)]) - polygon(&[at(a), at(b), at(c), at(d)]);
         let gone = if survivor == b { c } else { b };
         if cloud.contacts[b as usize] == cloud.contacts[c as usize] {
             let (v, w) = (cloud.velocity[b as usize], cloud.velocity[c as usize]);
@@ -55,7 +52,6 @@ pub fn collapse_short_edges(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &
     if collapsed {
         draft.edges.retain(|[a, b]| a != b);
     }
-    change
 }
 
 /// Which node of an edge b–c survives and where; none if it must stay.

@@ -47,7 +47,8 @@ pub fn force_surface(
 /// Forces the edges of the draft in; those that could not be are taken out of it and returned with what they cross.
 fn force(draft: &mut Draft, triangles: &mut Tessellation, untouched: &mut bool) -> Vec<([u32; 2], [u32; 2])> {
     let mut crossing = Vec::new();
-    let mut waiting: Vec<[u32; 2]> = draft.edges.drain(..).rev().collect();
+    let mut waiting = std::mem::take(&mut draft.waiting);
+    waiting.extend(draft.edges.drain(..).rev());
     while let Some(edge) = waiting.pop() {
         let [a, b] = edge;
         if a == b {
@@ -66,6 +67,7 @@ fn force(draft: &mut Draft, triangles: &mut Tessellation, untouched: &mut bool) 
             }
         }
     }
+    draft.waiting = waiting;
     crossing
 }
 
@@ -75,15 +77,14 @@ fn node_at_crossing(cloud: &mut Cloud<2, 3>, draft: &mut Draft, edge: [u32; 2], 
     let ([a, b], [c, d]) = (edge.map(at), other.map(at));
     let cross = |p: &Vector<2>, q: &Vector<2>| p[0] * q[1] - p[1] * q[0];
     let (ab, cd, ac) = (difference(&b, &a), difference(&d, &c), difference(&c, &a));
-    let s = (cross(&ac, &cd) / cross(&ab, &cd)).clamp(0.0, 1.0);
-    let t = (cross(&ac, &ab) / cross(&ab, &cd)).clamp(0.0, 1.0);
+    let share = |along: f64| if along.is_nan() { 0.0 } else { along.clamp(0.0, 1.0) };
+    let s = share(cross(&ac, &cd) / cross(&ab, &cd));
+    let t = share(cross(&ac, &ab) / cross(&ab, &cd));
     let place = [0, 1].map(|k| a[k] + s * ab[k]);
     let size = draft.size_between(edge[0], edge[1]);
     let ends = [edge[0], edge[1], other[0], other[1]];
-    let nearest = ends.into_iter().map(|n| (distance(&at(n), &place), n)).min_by(|p, q| p.0.total_cmp(&q.0));
-    if let Some((gap, node)) = nearest
-        && !(gap > SNAP * size)
-    {
+    let near = |node: &u32| distance(&at(*node), &place) <= SNAP * size;
+    if let Some(node) = ends.into_iter().find(near) {
         return node;
     }
     let v = |node: u32| cloud.velocity[node as usize];

@@ -1,7 +1,7 @@
 //! The inside of the moved surface.
 
 use super::super::draft::Draft;
-use super::super::tessellation::Tessellation;
+use super::super::tessellation::{Scratch, Tessellation};
 use super::{Predicate, crossings};
 use crate::backend::pfem::cloud::Cloud;
 use delaunay::{Error, HULL};
@@ -21,9 +21,12 @@ impl Predicate for MovedDomain {
         triangles: &mut Tessellation,
     ) -> Result<bool, Error> {
         let untouched = crossings::force_surface(cloud, draft, triangles)?;
-        let steps = steps(draft, triangles);
-        let mut winding = vec![None; triangles.len()];
-        let mut front: Vec<usize> = Vec::new();
+        find_steps(draft, triangles);
+        let mut scratch = std::mem::take(&mut triangles.scratch);
+        let Scratch { winding, steps, front, .. } = &mut scratch;
+        winding.clear();
+        winding.resize(triangles.len(), None);
+        front.clear();
         for triangle in 0..triangles.len() {
             for i in (0..3).filter(|&i| triangles.neighbours(triangle)[i] == HULL) {
                 if winding[triangle].is_none() {
@@ -43,20 +46,23 @@ impl Predicate for MovedDomain {
         }
         triangles.fluid.clear();
         triangles.fluid.extend(winding.iter().map(|number| number.is_some_and(|w| w > 0)));
+        triangles.scratch = scratch;
         Ok(untouched)
     }
 }
 
-/// By how much the winding number grows across each edge into the triangle.
-fn steps(draft: &Draft, triangles: &Tessellation) -> Vec<[i32; 3]> {
-    let mut steps = vec![[0; 3]; triangles.len()];
-    for [a, b] in draft.edges.iter().map(|edge| edge.map(|node| triangles.point_of[node as usize])) {
-        if let Some((triangle, i)) = triangles.made.left_of(a, b) {
+/// Finds by how much the winding number grows across each edge into the triangle.
+fn find_steps(draft: &Draft, triangles: &mut Tessellation) {
+    let Tessellation { made, scratch, point_of, .. } = triangles;
+    let steps = &mut scratch.steps;
+    steps.clear();
+    steps.resize(made.triangulation.cells.len(), [0; 3]);
+    for [a, b] in draft.edges.iter().map(|edge| edge.map(|node| point_of[node as usize])) {
+        if let Some((triangle, i)) = made.left_of(a, b) {
             steps[triangle][i] += 1;
         }
-        if let Some((triangle, i)) = triangles.made.left_of(b, a) {
+        if let Some((triangle, i)) = made.left_of(b, a) {
             steps[triangle][i] -= 1;
         }
     }
-    steps
 }

@@ -1,7 +1,7 @@
 //! Pieces of fluid that are too small for cells become one drop in flight.
 
 use super::super::draft::{Draft, area};
-use super::super::tessellation::Tessellation;
+use super::super::tessellation::{Scratch, Tessellation};
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::Vector;
 use delaunay::HULL;
@@ -16,8 +16,10 @@ pub fn release_droplets(
     triangles: &mut Tessellation,
 ) -> (u32, f64) {
     let (mut count, mut lost) = (0, 0.0);
-    let mut seen: Vec<bool> = triangles.fluid.iter().map(|fluid| !fluid).collect();
-    let mut piece = Vec::new();
+    let mut scratch = std::mem::take(&mut triangles.scratch);
+    let Scratch { seen, front: piece, marks, .. } = &mut scratch;
+    seen.clear();
+    seen.extend(triangles.fluid.iter().map(|fluid| !fluid));
     for seed in 0..triangles.len() {
         if seen[seed] {
             continue;
@@ -45,10 +47,12 @@ pub fn release_droplets(
         let h = draft.size[triangles.nodes(seed)[0] as usize];
         if volume < SMALLEST * h * h {
             piece.iter().for_each(|&triangle| triangles.fluid[triangle] = false);
-            lost += gather(cloud, draft, triangles, &piece, volume, moment, momentum);
+            triangles.mark_wet(cloud.place.len(), marks);
+            lost += gather(cloud, draft, (triangles, marks), piece, volume, moment, momentum);
             count += 1;
         }
     }
+    triangles.scratch = scratch;
     (count, lost)
 }
 
@@ -56,13 +60,12 @@ pub fn release_droplets(
 fn gather(
     cloud: &mut Cloud<2, 3>,
     draft: &mut Draft,
-    triangles: &Tessellation,
+    (triangles, wet): (&Tessellation, &[bool]),
     piece: &[usize],
     volume: f64,
     moment: Vector<2>,
     momentum: Vector<2>,
 ) -> f64 {
-    let wet = triangles.wet(cloud.place.len());
     let mut own: Vec<u32> = piece.iter().flat_map(|&triangle| triangles.nodes(triangle)).collect();
     own.retain(|&node| !wet[node as usize] && cloud.drop[node as usize] == 0.0);
     own.sort_unstable();

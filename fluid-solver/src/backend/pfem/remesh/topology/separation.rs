@@ -8,10 +8,16 @@ use delaunay::HULL;
 /// A cell between two surfaces breaks when it is thinner than this share of h.
 const THINNEST: f64 = 0.05;
 
+/// A drop has at least this many h².
+const SMALLEST_DROP: f64 = 1e-3;
+
 /// Breaks thin cells that have all corners on the surface and a side that is open: others would leave a hole. Nodes that lose their last cell become drops with its volume.
 /// Returns the number of cells and the area that is in none of the drops.
 pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut Tessellation) -> (u32, f64) {
-    let mut exposed = vec![false; cloud.place.len()];
+    let mut scratch = std::mem::take(&mut triangles.scratch);
+    let exposed = &mut scratch.marks;
+    exposed.clear();
+    exposed.resize(cloud.place.len(), false);
     for triangle in (0..triangles.len()).filter(|&triangle| triangles.fluid[triangle]) {
         let nodes = triangles.nodes(triangle);
         for i in (0..3).filter(|&i| !triangles.fluid_across(triangle, i)) {
@@ -25,25 +31,30 @@ pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut 
         let h = nodes.map(|node| draft.size[node as usize]).iter().sum::<f64>() / 3.0;
         let thin = || height(&triangles.vertices(triangle)) < THINNEST * h;
         let between_surfaces = nodes.iter().all(|&node| exposed[node as usize]);
-        if triangles.fluid[triangle] && between_surfaces && thin() && open(cloud, triangles, triangle) {
+        let breaks = || triangles.along_one_wall(cloud, triangle) || open(cloud, triangles, triangle);
+        if triangles.fluid[triangle] && between_surfaces && thin() && breaks() {
             broken.push(triangle);
         }
     }
     broken.iter().for_each(|&triangle| triangles.fluid[triangle] = false);
     let mut lost = 0.0;
     if !broken.is_empty() {
-        let wet = triangles.wet(cloud.place.len());
+        let wet = &mut scratch.marks;
+        triangles.mark_wet(cloud.place.len(), wet);
         for &triangle in &broken {
             let volume = area(&triangles.vertices(triangle));
+            let h = draft.size[triangles.nodes(triangle)[0] as usize];
             let dry: Vec<u32> = triangles.nodes(triangle).into_iter().filter(|&n| !wet[n as usize]).collect();
+            if dry.is_empty() || volume < SMALLEST_DROP * h * h {
+                lost += volume;
+                continue;
+            }
             for &node in &dry {
                 cloud.drop[node as usize] += volume / dry.len() as f64;
             }
-            if dry.is_empty() {
-                lost += volume;
-            }
         }
     }
+    triangles.scratch = scratch;
     (broken.len() as u32, lost)
 }
 

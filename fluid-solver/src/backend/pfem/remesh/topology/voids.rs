@@ -1,7 +1,7 @@
 //! A void that is closed in on all sides and small is filled at once: its collapse is not resolved.
 
 use super::super::draft::{Draft, area};
-use super::super::tessellation::Tessellation;
+use super::super::tessellation::{Scratch, Tessellation};
 use crate::backend::pfem::cloud::Cloud;
 use delaunay::HULL;
 
@@ -11,8 +11,10 @@ const SMALLEST: f64 = 0.5;
 /// Fills small voids; returns their number and area.
 pub fn fill_small_voids(cloud: &Cloud<2, 3>, draft: &Draft, triangles: &mut Tessellation) -> (u32, f64) {
     let (mut count, mut volume) = (0, 0.0);
-    let mut seen = triangles.fluid.clone();
-    let mut void = Vec::new();
+    let mut scratch = std::mem::take(&mut triangles.scratch);
+    let Scratch { seen, front: void, .. } = &mut scratch;
+    seen.clear();
+    seen.extend((0..triangles.len()).map(|t| triangles.fluid[t] || triangles.along_one_wall(cloud, t)));
     for seed in 0..triangles.len() {
         if seen[seed] {
             continue;
@@ -42,5 +44,6 @@ pub fn fill_small_voids(cloud: &Cloud<2, 3>, draft: &Draft, triangles: &mut Tess
             volume += total;
         }
     }
+    triangles.scratch = scratch;
     (count, volume)
 }
