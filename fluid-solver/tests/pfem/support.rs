@@ -112,3 +112,13 @@ pub fn largest_speed<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64
 pub fn volume<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
     cloud.cells.iter().map(|cell| volume_and_areas(&cloud.vertices(cell)).0).sum()
 }
+
+/// A drop in flight.
+pub fn add_drop<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, place: [f64; D], volume: f64) {
+    cloud.birth.push(cloud.place.len() as u32);
+    cloud.place.push(place);
+    cloud.velocity.push([0.0; D]);
+    cloud.pressure.push(0.0);
+    cloud.contacts.push(Contacts::default());
+    cloud.drop.push(volume);
+}

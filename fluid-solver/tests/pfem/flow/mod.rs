@@ -1,3 +1,6 @@
+mod bits;
 mod free_fall;
+mod ledger;
 mod rest;
+mod walls;
 mod waves;

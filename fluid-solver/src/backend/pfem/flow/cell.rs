@@ -100,3 +100,40 @@ pub fn determinant<const D: usize>(m: &[Vector<D>; D]) -> f64 {
         m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CORNERS: [[f64; 3]; 4] = [[0.1, 0.2, 0.3], [1.3, 0.1, 0.2], [0.2, 1.5, 0.4], [0.3, 0.1, 1.9]];
+
+    #[test]
+    fn a_rigid_motion_meets_no_stress_and_changes_no_volume() {
+        let cell = Cell::new(&CORNERS, 2.0, 3.0);
+        let v = CORNERS.map(|x| [1.0 - 2.0 * x[1] + 0.5 * x[2], 3.0 + 2.0 * x[0] - x[2], x[1] - 0.5 * x[0]]);
+        let (forces, volumes) = cell.rows(&v, &[0.0; 4], &[[0.0; 3]; 4], 0.0);
+        assert!(forces.iter().flatten().chain(&volumes).all(|row| row.abs() < 1e-14), "{forces:?}");
+    }
+
+    #[test]
+    fn the_volume_rows_sum_to_the_change_of_volume_itself() {
+        let v = [[0.3, -0.1, 0.2], [-0.4, 0.2, 0.1], [0.5, 0.6, -0.7], [-0.2, 0.3, 0.9]];
+        let length = 0.5;
+        let at = |share: f64| -> [[f64; 3]; 4] {
+            std::array::from_fn(|i| std::array::from_fn(|k| CORNERS[i][k] + share * length * v[i][k]))
+        };
+        let (before, after) = (volume_and_areas(&at(0.0)).0, volume_and_areas(&at(1.0)).0);
+        let middle = Cell::new(&at(0.5), 1.0, 0.0);
+        let (_, volumes) = middle.rows(&v, &[0.0; 4], &[[0.0; 3]; 4], 0.25 * length * length);
+        assert!((volumes.iter().sum::<f64>() - (after - before) / length).abs() < 1e-14);
+    }
+
+    #[test]
+    fn what_is_in_equilibrium_leaves_the_volume_rows_empty() {
+        let cell = Cell::new(&CORNERS, 2.0, 3.0);
+        let slope = [4.0, -5.0, 6.0];
+        let pressure = CORNERS.map(|x| dot(&x, &slope) + 7.0);
+        let (_, volumes) = cell.rows(&[[0.0; 3]; 4], &pressure, &[slope.map(|s| -s); 4], 0.0);
+        assert!(volumes.iter().all(|row| row.abs() < 1e-14), "{volumes:?}");
+    }
+}
