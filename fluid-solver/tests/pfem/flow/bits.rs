@@ -1,6 +1,6 @@
 //! The same bits.
 
-use crate::support::{WATER, advance, block, flow, gravity, tank, touch};
+use crate::support::{WATER, advance, block, flow, gravity, newtonian, tank, touch};
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::wall::Grip;
 
@@ -8,7 +8,7 @@ fn collapsed(viscosity: f64) -> Cloud<3, 4> {
     let mut cloud = block::<3, 4>([0.1; 3], [18, 16, 18], 0.25);
     let walls = tank([0.4, 0.1, 0.1], Grip::NoSlip);
     touch(&mut cloud, &walls);
-    let mut flow = flow(fluid_solver::backend::pfem::flow::Fluid { viscosity, ..WATER }, 1e-6);
+    let mut flow = flow(newtonian(1000.0, viscosity), 1e-6);
     advance(&mut flow, &mut cloud, &walls, &gravity(), 1e-3, 0..2, |_, _| ());
     cloud
 }

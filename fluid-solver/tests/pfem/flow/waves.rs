@@ -1,6 +1,6 @@
 //! Standing waves of small amplitude in a tank of width 1 m, half a wave long: k = π.
 
-use crate::support::{WATER, advance, block, flow, tank, touch, volume};
+use crate::support::{WATER, advance, block, flow, newtonian, tank, touch, volume};
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::flow::{Fluid, Forces};
 use fluid_solver::backend::pfem::wall::Grip;
@@ -85,7 +85,7 @@ fn halving_the_step_quarters_the_error() {
 /// Largest difference to the solution of Prosperetti, of the first amplitude.
 fn decay(reference: &str, viscosity: f64, end: f64) -> f64 {
     let wave = Wave { depth: 2.0, cells: [40, 48], grading: 3.0, amplitude: 0.01 };
-    let fluid = Fluid { density: 1.0, viscosity, bulk_modulus: None };
+    let fluid = newtonian(1.0, viscosity);
     let length = 0.04;
     let series = wave.run(fluid, 1.0, length, (end / length).round() as usize);
     let rows = reference.lines().filter_map(|line| line.split_once(','));
