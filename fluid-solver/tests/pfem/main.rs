@@ -1,5 +1,6 @@
 //! Claims about `pfem`.
 
 mod flow;
+mod space;
 mod grains;
 mod support;

@@ -6,9 +6,9 @@ use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::{Vector, dot};
 
 /// Share of what is missing that one step restores.
-const RATE: f64 = 0.2;
+pub const RATE: f64 = 0.2;
 /// Largest shift as a share of h.
-const LARGEST: f64 = 0.01;
+pub const LARGEST: f64 = 0.01;
 
 /// Area inside of the edges of the surface.
 pub fn enclosed(cloud: &Cloud<2, 3>, draft: &Draft) -> f64 {

@@ -8,11 +8,11 @@ use crate::element::simplex::{Vector, distance, volume_and_gradients};
 /// No node, or more than one.
 pub const NONE: u32 = u32::MAX;
 
-/// Scratch of one remeshing in the plane.
+/// Scratch of one remeshing.
 #[derive(Clone, Debug, Default)]
-pub struct Draft {
-    /// Edges of the surface, walls included, with the fluid on their left.
-    pub edges: Vec<[u32; 2]>,
+pub struct Draft<const D: usize = 2> {
+    /// Edges (in space: faces) of the surface, walls included, with the fluid on their left (behind them).
+    pub edges: Vec<[u32; D]>,
     /// Node after each on the surface, where there is exactly one.
     pub next: Vec<u32>,
     /// Node before.
@@ -34,20 +34,14 @@ pub struct Draft {
 impl Draft {
     /// Reads the moved cloud.
     pub fn read(&mut self, cloud: &Cloud<2, 3>, size: &TargetSize) {
-        let nodes = cloud.place.len();
-        size.at_nodes(nodes, &mut self.size);
-        self.removed.clear();
-        self.removed.resize(nodes, false);
-        self.youngest = cloud.birth.iter().copied().max().unwrap_or(0);
-        self.edited = false;
-        nodal_volumes(cloud, &mut self.mass);
+        self.read_nodes(cloud, size);
         self.edges.clear();
         for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
             for i in (0..3).filter(|&i| around[i] == OUTSIDE) {
                 self.edges.push([cell[(i + 1) % 3], cell[(i + 2) % 3]]);
             }
         }
-        self.link(nodes);
+        self.link(cloud.place.len());
     }
 
     /// Links the edges from node to node.
@@ -72,6 +66,19 @@ impl Draft {
             self.previous[node as usize] = NONE;
         }
     }
+}
+
+impl<const D: usize> Draft<D> {
+    /// Reads the nodes of the moved cloud.
+    pub fn read_nodes<const N: usize>(&mut self, cloud: &Cloud<D, N>, size: &TargetSize) {
+        let nodes = cloud.place.len();
+        size.at_nodes(nodes, &mut self.size);
+        self.removed.clear();
+        self.removed.resize(nodes, false);
+        self.youngest = cloud.birth.iter().copied().max().unwrap_or(0);
+        self.edited = false;
+        nodal_volumes(cloud, &mut self.mass);
+    }
 
     /// Target size between two nodes (m).
     pub fn size_between(&self, a: u32, b: u32) -> f64 {
@@ -79,20 +86,26 @@ impl Draft {
     }
 
     /// Adds a node halfway between two.
-    pub fn add_between(&mut self, cloud: &mut Cloud<2, 3>, a: u32, b: u32, contacts: Contacts) -> u32 {
+    pub fn add_between<const N: usize>(
+        &mut self,
+        cloud: &mut Cloud<D, N>,
+        a: u32,
+        b: u32,
+        contacts: Contacts,
+    ) -> u32 {
         let (a, b) = (a as usize, b as usize);
-        let mean = |values: &[Vector<2>]| [0, 1].map(|k| 0.5 * (values[a][k] + values[b][k]));
+        let mean = |values: &[Vector<D>]| std::array::from_fn(|k| 0.5 * (values[a][k] + values[b][k]));
         let (place, velocity) = (mean(&cloud.place), mean(&cloud.velocity));
         let pressure = 0.5 * (cloud.pressure[a] + cloud.pressure[b]);
         self.add(cloud, place, velocity, pressure, contacts, 0.5 * (self.size[a] + self.size[b]))
     }
 
     /// Adds a node.
-    pub fn add(
+    pub fn add<const N: usize>(
         &mut self,
-        cloud: &mut Cloud<2, 3>,
-        place: Vector<2>,
-        velocity: Vector<2>,
+        cloud: &mut Cloud<D, N>,
+        place: Vector<D>,
+        velocity: Vector<D>,
         pressure: f64,
         contacts: Contacts,
         size: f64,
@@ -118,7 +131,7 @@ impl Draft {
     }
 
     /// Makes one node of two at the same place, as in the corner of two walls.
-    pub fn unite(&mut self, cloud: &mut Cloud<2, 3>, gone: u32, kept: u32) {
+    pub fn unite<const N: usize>(&mut self, cloud: &mut Cloud<D, N>, gone: u32, kept: u32) {
         for wall in cloud.contacts[gone as usize].iter() {
             cloud.contacts[kept as usize].insert(wall);
         }
@@ -127,11 +140,11 @@ impl Draft {
         for node in self.edges.iter_mut().flatten().filter(|node| **node == gone) {
             *node = kept;
         }
-        self.edges.retain(|[a, b]| a != b);
+        self.edges.retain(|edge| edge.iter().filter(|node| **node == kept).count() < 2);
     }
 
     /// Takes the nodes out that are to go; edges of the surface have none of them.
-    pub fn compact(&mut self, cloud: &mut Cloud<2, 3>) {
+    pub fn compact<const N: usize>(&mut self, cloud: &mut Cloud<D, N>) {
         if !self.removed.contains(&true) {
             return;
         }
@@ -164,14 +177,14 @@ fn retain<T>(removed: &[bool], values: &mut Vec<T>) {
     values.retain(|_| gone.next() == Some(&false));
 }
 
-/// Volume of each node: a third of its cells, and its drop.
-pub fn nodal_volumes(cloud: &Cloud<2, 3>, volumes: &mut Vec<f64>) {
+/// Volume of each node: its share of its cells, and its drop.
+pub fn nodal_volumes<const D: usize, const N: usize>(cloud: &Cloud<D, N>, volumes: &mut Vec<f64>) {
     volumes.clear();
     volumes.extend_from_slice(&cloud.drop);
     for cell in &cloud.cells {
         let volume = volume_and_gradients(&cloud.vertices(cell)).0;
         for &node in cell {
-            volumes[node as usize] += volume / 3.0;
+            volumes[node as usize] += volume / N as f64;
         }
     }
 }

@@ -9,6 +9,7 @@ mod draft;
 mod management;
 mod recognition;
 mod size;
+mod space;
 mod tessellation;
 mod topology;
 mod transfer;
@@ -16,6 +17,7 @@ mod transfer;
 pub use books::{Account, Books, Energy, EnergyBooks, VolumeBooks, energy, volume};
 pub use recognition::Recognition;
 pub use size::TargetSize;
+pub use space::SpaceRemesher;
 pub use topology::Events;
 
 use super::cloud::{Cloud, OUTSIDE};
@@ -83,7 +85,7 @@ impl Remesher<2, 3> {
         if !as_before || !self.still_delaunay(cloud) {
             self.take_cells(cloud);
         }
-        transfer::keep_momentum(cloud, &self.draft, momentum, &mut self.volumes);
+        transfer::keep_momentum(cloud, &self.draft.mass, momentum, &mut self.volumes);
         books.volume.cells = volume(cloud);
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));

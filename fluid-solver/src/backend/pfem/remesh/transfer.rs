@@ -1,14 +1,14 @@
 //! Momentum goes over from mesh to mesh.
 
-use super::draft::{Draft, nodal_volumes};
+use super::draft::nodal_volumes;
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::Vector;
 
-/// Momentum per density: Σ m_i v_i, m_i a third of the cells of a node, or its drop.
-pub fn momentum(volumes: &[f64], velocity: &[Vector<2>]) -> Vector<2> {
-    let mut sum = [0.0; 2];
+/// Momentum per density: Σ m_i v_i, m_i a node's share of its cells, or its drop.
+pub fn momentum<const D: usize>(volumes: &[f64], velocity: &[Vector<D>]) -> Vector<D> {
+    let mut sum = [0.0; D];
     for (m, v) in volumes.iter().zip(velocity) {
-        for k in 0..2 {
+        for k in 0..D {
             sum[k] += m * v[k];
         }
     }
@@ -17,18 +17,25 @@ pub fn momentum(volumes: &[f64], velocity: &[Vector<2>]) -> Vector<2> {
 
 /// Gives what the new nodal volumes miss of the momentum `before` to the nodes whose volume changed and that touch no
 /// wall, as one velocity for all of them.
-pub fn keep_momentum(cloud: &mut Cloud<2, 3>, draft: &Draft, before: Vector<2>, volumes: &mut Vec<f64>) {
+///
+/// `mass` are the nodal volumes before.
+pub fn keep_momentum<const D: usize, const N: usize>(
+    cloud: &mut Cloud<D, N>,
+    mass: &[f64],
+    before: Vector<D>,
+    volumes: &mut Vec<f64>,
+) {
     nodal_volumes(cloud, volumes);
     let after = momentum(volumes, &cloud.velocity);
     let free = |node: usize| cloud.contacts[node].is_empty() && volumes[node] > 0.0;
-    let changed = |node: usize| (volumes[node] - draft.mass[node]).abs() > 1e-12 * volumes[node];
+    let changed = |node: usize| (volumes[node] - mass[node]).abs() > 1e-12 * volumes[node];
     for strict in [true, false] {
         let chosen = |node: usize| free(node) && (!strict || changed(node));
-        let mass: f64 = (0..volumes.len()).filter(|&node| chosen(node)).map(|node| volumes[node]).sum();
-        if mass > 0.0 {
-            let given = [0, 1].map(|k| (before[k] - after[k]) / mass);
+        let sum: f64 = (0..volumes.len()).filter(|&node| chosen(node)).map(|node| volumes[node]).sum();
+        if sum > 0.0 {
+            let given: Vector<D> = std::array::from_fn(|k| (before[k] - after[k]) / sum);
             for node in (0..volumes.len()).filter(|&node| chosen(node)) {
-                for k in 0..2 {
+                for k in 0..D {
                     cloud.velocity[node][k] += given[k];
                 }
             }
