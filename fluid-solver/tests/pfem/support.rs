@@ -2,14 +2,18 @@
 
 use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
-use fluid_solver::backend::pfem::flow::{Control, Flow, FlowSolution, Fluid, Forces};
+use fluid_solver::backend::pfem::flow::{Control, Flow, FlowSolution, Fluid, Forces, Newtonian, Rheology};
 use fluid_solver::backend::pfem::wall::{Contacts, Grip, Plane, Shape, Wall};
 use fluid_solver::element::simplex::{dot, volume_and_areas};
 use fluid_solver::mesh::generate::{BoxMesh, Jitter};
 use std::collections::HashMap;
 
-pub const WATER: Fluid = Fluid { density: 1000.0, viscosity: 1e-3, bulk_modulus: None };
+pub const WATER: Fluid = newtonian(1000.0, 1e-3);
 pub const G: f64 = 9.81;
+
+pub const fn newtonian(density: f64, viscosity: f64) -> Fluid {
+    Fluid { density, rheology: Rheology::Newtonian(Newtonian { viscosity }), bulk_modulus: None }
+}
 
 /// Gravity along the last axis.
 pub fn gravity<const D: usize>() -> Forces<'static, D> {
@@ -111,4 +115,14 @@ pub fn largest_speed<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64
 
 pub fn volume<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
     cloud.cells.iter().map(|cell| volume_and_areas(&cloud.vertices(cell)).0).sum()
+}
+
+/// A drop in flight.
+pub fn add_drop<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, place: [f64; D], volume: f64) {
+    cloud.birth.push(cloud.place.len() as u32);
+    cloud.place.push(place);
+    cloud.velocity.push([0.0; D]);
+    cloud.pressure.push(0.0);
+    cloud.contacts.push(Contacts::default());
+    cloud.drop.push(volume);
 }

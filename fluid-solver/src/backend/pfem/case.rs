@@ -76,8 +76,8 @@ fn backend<const D: usize, const N: usize>(
         depth: if D == 2 { table.depth() } else { 1.0 },
         surface: mesh.as_ref().map(Mesh::surface),
     };
-    let properties =
-        flow::Fluid { density: fluid.density.si(), viscosity: fluid.viscosity.si(), bulk_modulus: None };
+    let rheology = flow::Rheology::Newtonian(flow::Newtonian { viscosity: fluid.viscosity.si() });
+    let properties = flow::Fluid { density: fluid.density.si(), rheology, bulk_modulus: None };
     let control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
     Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal))
 }

@@ -30,7 +30,7 @@ impl<const D: usize, const N: usize> Tank<D, N> {
         let (mut cloud, walls) = (block::<D, N>(size, [cells; D], 0.2), tank(size, grip));
         touch(&mut cloud, &walls);
         cloud.pressure = cloud.place.iter().map(|x| WATER.density * G * (SIDE - x[D - 1])).collect();
-        let medium = Medium { density: WATER.density, viscosity: WATER.viscosity };
+        let medium = Medium { density: WATER.density, viscosity: 1e-3 };
         let depth = if D == 2 { DEPTH } else { 1.0 };
         let grains = GrainsInCloud::new(medium, depth, cloud.place.len());
         Self { flow: flow(WATER, 1e-8), cloud, walls, grains, time: 0.0 }

@@ -1,5 +1,6 @@
 //! What a cell adds to the rows of its nodes.
 
+use super::rheology::{Law, Rheology};
 use crate::element::simplex::{Vector, dot, volume_and_areas};
 
 /// A cell in the middle of the step.
@@ -26,19 +27,22 @@ pub const fn regular_volume(dimension: usize) -> f64 {
 }
 
 impl<const D: usize, const N: usize> Cell<D, N> {
-    /// A cell with these corners; `inertia` is ρ/(θΔt).
+    /// A cell with these corners that move with v; `inertia` is ρ/(θΔt).
     ///
     /// τ = (8μ/h² + ρ/(θΔt))⁻¹ with h = 2V^{1/D}.
     ///
     /// Source: Oñate, Franci and Carbonell, *Int. J. Numer. Meth. Fluids* 74 (2014) 699.
-    pub fn new(corners: &[Vector<D>; N], inertia: f64, viscosity: f64) -> Self {
+    pub fn new(corners: &[Vector<D>; N], v: &[Vector<D>; N], inertia: f64, rheology: &Rheology) -> Self {
         let (volume, areas) = volume_and_areas(corners);
         let longest = crate::element::simplex::longest_edge(corners);
         let least = SLIVER * regular_volume(D) * longest.powi(D as i32);
         let size = volume.max(least);
         let h = 2.0 * if D == 2 { size.sqrt() } else { size.cbrt() };
-        let relaxation = 1.0 / (8.0 * viscosity / (h * h) + inertia);
-        Self { volume, areas, inverse: 1.0 / size, relaxation, viscosity }
+        let mut cell = Self { volume, areas, inverse: 1.0 / size, relaxation: 0.0, viscosity: 0.0 };
+        let shear_rate = if rheology.is_newtonian() { 0.0 } else { cell.shear_rate(v) };
+        cell.viscosity = rheology.viscosity(shear_rate);
+        cell.relaxation = 1.0 / (8.0 * cell.viscosity / (h * h) + inertia);
+        cell
     }
 
     /// V∇v = Σ v_j ⊗ a_j.
@@ -52,6 +56,18 @@ impl<const D: usize, const N: usize> Cell<D, N> {
             }
         }
         gradient
+    }
+
+    /// γ̇ = √(2 ε:ε) (1/s).
+    fn shear_rate(&self, v: &[Vector<D>; N]) -> f64 {
+        let gradient = self.velocity_gradient(v);
+        let mut sum = 0.0;
+        for k in 0..D {
+            for l in 0..D {
+                sum += 0.5 * (gradient[k][l] + gradient[l][k]).powi(2);
+            }
+        }
+        self.inverse * sum.sqrt()
     }
 
     /// The forces ∫(τ − p I)∇N_i (N) and the volume rows ∫N_i∇·v + τ∇N_i·(e + ∇p) (m³/s), e being the residual of
@@ -98,5 +114,54 @@ pub fn determinant<const D: usize>(m: &[Vector<D>; D]) -> f64 {
     } else {
         let minor = |j: usize, k: usize| m[1][j] * m[2][k] - m[1][k] * m[2][j];
         m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rheology::Newtonian;
+    use super::*;
+
+    const fn newtonian(viscosity: f64) -> Rheology {
+        Rheology::Newtonian(Newtonian { viscosity })
+    }
+
+    const CORNERS: [[f64; 3]; 4] = [[0.1, 0.2, 0.3], [1.3, 0.1, 0.2], [0.2, 1.5, 0.4], [0.3, 0.1, 1.9]];
+
+    #[test]
+    fn a_rigid_motion_meets_no_stress_and_changes_no_volume() {
+        let cell = Cell::new(&CORNERS, &[[0.0; 3]; 4], 2.0, &newtonian(3.0));
+        let v = CORNERS.map(|x| [1.0 - 2.0 * x[1] + 0.5 * x[2], 3.0 + 2.0 * x[0] - x[2], x[1] - 0.5 * x[0]]);
+        let (forces, volumes) = cell.rows(&v, &[0.0; 4], &[[0.0; 3]; 4], 0.0);
+        assert!(forces.iter().flatten().chain(&volumes).all(|row| row.abs() < 1e-14), "{forces:?}");
+    }
+
+    #[test]
+    fn the_volume_rows_sum_to_the_change_of_volume_itself() {
+        let v = [[0.3, -0.1, 0.2], [-0.4, 0.2, 0.1], [0.5, 0.6, -0.7], [-0.2, 0.3, 0.9]];
+        let length = 0.5;
+        let at = |share: f64| -> [[f64; 3]; 4] {
+            std::array::from_fn(|i| std::array::from_fn(|k| CORNERS[i][k] + share * length * v[i][k]))
+        };
+        let (before, after) = (volume_and_areas(&at(0.0)).0, volume_and_areas(&at(1.0)).0);
+        let middle = Cell::new(&at(0.5), &v, 1.0, &newtonian(0.0));
+        let (_, volumes) = middle.rows(&v, &[0.0; 4], &[[0.0; 3]; 4], 0.25 * length * length);
+        assert!((volumes.iter().sum::<f64>() - (after - before) / length).abs() < 1e-14);
+    }
+
+    #[test]
+    fn simple_shear_has_the_rate_of_its_one_slope() {
+        let cell = Cell::new(&CORNERS, &[[0.0; 3]; 4], 2.0, &newtonian(3.0));
+        let rate = cell.shear_rate(&CORNERS.map(|x| [0.0, -7.0 * x[0], 0.0]));
+        assert!((rate - 7.0).abs() < 1e-13, "{rate}");
+    }
+
+    #[test]
+    fn what_is_in_equilibrium_leaves_the_volume_rows_empty() {
+        let cell = Cell::new(&CORNERS, &[[0.0; 3]; 4], 2.0, &newtonian(3.0));
+        let slope = [4.0, -5.0, 6.0];
+        let pressure = CORNERS.map(|x| dot(&x, &slope) + 7.0);
+        let (_, volumes) = cell.rows(&[[0.0; 3]; 4], &pressure, &[slope.map(|s| -s); 4], 0.0);
+        assert!(volumes.iter().all(|row| row.abs() < 1e-14), "{volumes:?}");
     }
 }

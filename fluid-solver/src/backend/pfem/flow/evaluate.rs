@@ -22,10 +22,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     ) {
         let Start { cloud, step, forces, .. } = start;
         let (inertia, compressibility) = (self.inertia(step), self.compressibility(step));
-        let Fluid { density, viscosity, .. } = self.fluid;
+        let Fluid { density, rheology, .. } = self.fluid;
         // In the middle, whatever θ is: there ∫∇·v is the change of volume.
         let place = |node: usize| moved(&cloud.place[node], 0.5 * step.length, &velocity[node]);
-        self.assembly.place(topology, place, inertia, viscosity);
+        self.assembly.place(topology, place, velocity, inertia, &rheology);
         if let Some(suspension) = &forces.grains {
             let cells = &self.assembly.cells;
             let implicitness = self.implicitness;

@@ -20,6 +20,7 @@ mod nodal;
 mod porous;
 mod preconditioner;
 mod pressure;
+mod rheology;
 mod setting;
 mod solution;
 mod solve;
@@ -29,6 +30,7 @@ mod topology;
 mod velocity;
 
 pub use fault::FlowFault;
+pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
 pub use setting::{Control, Fluid, Forces};
 pub use solution::{FlowSolution, Residuals};
 pub use solve::Flow;

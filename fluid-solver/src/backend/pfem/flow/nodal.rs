@@ -4,6 +4,7 @@ use super::cell::Cell;
 use super::chunks::for_each;
 use super::contact::moved;
 use super::porous::Porous;
+use super::rheology::Rheology;
 use super::suspended::{Part, Suspended};
 use super::topology::Topology;
 use crate::element::simplex::Vector;
@@ -41,20 +42,23 @@ impl<const D: usize, const N: usize> Default for Assembly<D, N> {
 }
 
 impl<const D: usize, const N: usize> Assembly<D, N> {
-    /// Takes the cells with their corners at x_n + t v; `inertia` is ρ/(θΔt).
+    /// Takes the cells with their corners at places and with velocities; `inertia` is ρ/(θΔt).
     pub fn place(
         &mut self,
         topology: &Topology<N>,
         place: impl Fn(usize) -> Vector<D> + Sync,
+        velocity: &[Vector<D>],
         inertia: f64,
-        viscosity: f64,
+        rheology: &Rheology,
     ) {
-        let empty = Cell::new(&[[0.0; D]; N], 1.0, 0.0);
+        let nowhere = [[0.0; D]; N];
+        let empty = Cell::new(&nowhere, &nowhere, inertia, rheology);
         self.cells.resize(topology.cells().len(), empty);
         self.rows.resize(topology.cells().len(), ([[0.0; D]; N], [0.0; N]));
         for_each(&mut self.cells, |index, cell| {
             let corners = topology.cells()[index].map(|node| place(node as usize));
-            *cell = Cell::new(&corners, inertia, viscosity);
+            let v = topology.cells()[index].map(|node| velocity[node as usize]);
+            *cell = Cell::new(&corners, &v, inertia, rheology);
         });
         self.volumes.resize(topology.pattern().rows(), 0.0);
         let cells = &self.cells;

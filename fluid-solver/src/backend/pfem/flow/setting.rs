@@ -1,5 +1,6 @@
 //! What a flow is of, and what acts on it.
 
+use super::rheology::Rheology;
 use super::strain::Strain;
 use crate::element::simplex::Vector;
 use crate::grains::Suspension;
@@ -9,8 +10,8 @@ use crate::grains::Suspension;
 pub struct Fluid {
     /// ρ (kg/m³).
     pub density: f64,
-    /// μ (Pa s).
-    pub viscosity: f64,
+    /// What resists shear.
+    pub rheology: Rheology,
     /// κ (Pa); none if incompressible.
     pub bulk_modulus: Option<f64>,
 }

@@ -19,10 +19,10 @@ use std::cell::RefCell;
 
 /// Linear iterations between restarts, and the most of a pass.
 const ITERATIONS: [usize; 2] = [40, 400];
-/// The most passes of a step.
-const PASSES: u64 = 20;
-/// What a linear solve leaves of the residual that it began with, at most: the geometry changes after it anyway.
-const FORCING: f64 = 0.02;
+/// The most passes of a step, with one viscosity and with one that depends on the rate of shear.
+const PASSES: [u64; 2] = [20, 200];
+/// What a linear solve leaves of the residual that it began with, at most: geometry and viscosity change after it anyway.
+const FORCING: [f64; 2] = [0.02, 0.1];
 /// A time after all others (s) whose third power is a number.
 const NEVER: f64 = 1e60;
 /// Least θ with grains: the divergence of v_m follows them from step to step, and the middle of a step would turn what it
@@ -184,6 +184,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let Start { cloud, walls, step, .. } = start;
         let inertia = self.inertia(step);
         let compressibility = self.compressibility(step);
+        let plastic = usize::from(!self.fluid.rheology.is_newtonian());
         let (mut progress, mut target) = (Progress::default(), 0.0);
         loop {
             self.contact.constrain(cloud, walls, step, velocity);
@@ -224,7 +225,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 progress.residuals = Residuals { momentum, volume };
                 return Ok(progress);
             }
-            if progress.passes == PASSES {
+            if progress.passes == PASSES[plastic] {
                 let Progress { passes, iterations, .. } = progress;
                 return Err(FlowFault::NotConverged {
                     time: step.time,
@@ -234,13 +235,13 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                     target: allowed,
                 });
             }
-            if progress.passes == 0 {
+            if progress.passes == 0 || plastic == 1 {
                 let assembly = &operator.scratch.borrow().assembly;
                 let rates = (inertia, compressibility);
                 preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;
             }
             increment.fill(0.0);
-            let absolute = (FORCING * norm).max(0.5 * allowed);
+            let absolute = (FORCING[plastic] * norm).max(0.5 * allowed);
             let stopping = Stopping { relative: 0.0, absolute, iterations: ITERATIONS[1] };
             let mut preconditioner = StepPreconditioner { operator: &operator, parts: preconditioning };
             let outcome = krylov.solve(&operator, &mut preconditioner, right, increment, stopping);

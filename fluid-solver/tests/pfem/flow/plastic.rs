@@ -1,0 +1,75 @@
+//! Fluids with a yield stress.
+
+use crate::support::{advance, block, flow, largest_speed, tank, touch};
+use fluid_solver::backend::pfem::cloud::Cloud;
+use fluid_solver::backend::pfem::flow::{Fluid, Forces, HerschelBulkley, Rheology};
+use fluid_solver::backend::pfem::wall::Grip;
+
+const DENSITY: f64 = 1000.0;
+
+fn bingham(viscosity: f64, yield_stress: f64, creep_rate: f64) -> Fluid {
+    let law = HerschelBulkley { consistency: viscosity, exponent: 1.0, yield_stress, creep_rate };
+    Fluid { density: DENSITY, rheology: Rheology::HerschelBulkley(law), bulk_modulus: None }
+}
+
+/// Largest error of the profile halfway down a channel that the fluid falls through, relative to the largest speed.
+fn channel(share: f64) -> f64 {
+    let (half, viscosity, gravity) = (0.05, 100.0, 1.0);
+    let slope = DENSITY * gravity;
+    let mut cloud = block::<2, 3>([2.0 * half, 0.3], [20, 36], 0.2);
+    let mut walls = tank([2.0 * half, 0.3], Grip::NoSlip);
+    walls.pop();
+    touch(&mut cloud, &walls);
+    let fluid = bingham(viscosity, share * slope * half, 1e-3 * slope * half / viscosity);
+    let forces = Forces { gravity: [0.0, -gravity], grains: None };
+    let (mut iterations, mut passes) = (0, 0);
+    advance(&mut flow(fluid, 1e-5), &mut cloud, &walls, &forces, 5e-3, 0..30, |_, solution| {
+        iterations += solution.iterations;
+        passes += solution.passes;
+    });
+    println!("{share}: {iterations} {passes}");
+    // At the ends the contact line slides, so that the rest of the walls bears a little more: by the pressure.
+    let driving = slope + pressure_slope(&cloud, 0.08..0.22);
+    let plug = share * slope / driving;
+    let exact = |x: f64| {
+        let y = ((x - half) / half).abs().max(plug);
+        driving * half * half / viscosity * (0.5 * (1.0 - y * y) - plug * (1.0 - y))
+    };
+    let middle = cloud.place.iter().zip(&cloud.velocity).filter(|(x, _)| (x[1] - 0.15).abs() < 0.02);
+    middle.map(|(x, v)| (-v[1] - exact(x[0])).abs()).fold(0.0, f64::max) / exact(half)
+}
+
+/// ∂p/∂y between heights, by least squares (Pa/m).
+fn pressure_slope(cloud: &Cloud<2, 3>, heights: std::ops::Range<f64>) -> f64 {
+    let points = cloud.place.iter().zip(&cloud.pressure).filter(|(x, _)| heights.contains(&x[1]));
+    let (mut n, mut y, mut p, mut yy, mut yp) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for (x, pressure) in points {
+        (n, y, p) = (n + 1.0, y + x[1], p + pressure);
+        (yy, yp) = (yy + x[1] * x[1], yp + x[1] * pressure);
+    }
+    (n * yp - y * p) / (n * yy - y * y)
+}
+
+#[test]
+fn a_bingham_fluid_falls_through_a_channel_with_its_plug() {
+    for share in [0.0, 0.2, 0.5] {
+        let error = channel(share);
+        println!("{share}: {error}");
+        assert!(error <= 0.03, "{share}: {error}");
+    }
+}
+
+#[test]
+fn a_column_that_its_yield_stress_can_bear_only_creeps() {
+    let (size, viscosity, yield_stress, creep_rate) = (0.1, 10.0, 2000.0, 1e-3);
+    let mut cloud = block::<2, 3>([size; 2], [10, 10], 0.2);
+    let walls = tank([1.0; 2], Grip::NoSlip);
+    touch(&mut cloud, &walls);
+    let forces = Forces { gravity: [0.0, -9.81], grains: None };
+    let fluid = bingham(viscosity, yield_stress, creep_rate);
+    advance(&mut flow(fluid, 1e-5), &mut cloud, &walls, &forces, 1e-3, 0..20, |_, _| ());
+    // Stress ρgH/2 at most, at the viscosity of the creep.
+    let creep = 0.5 * DENSITY * 9.81 * size * size * creep_rate / yield_stress;
+    println!("{} {creep}", largest_speed(&cloud));
+    assert!(largest_speed(&cloud) <= creep, "{} m/s, {creep} m/s", largest_speed(&cloud));
+}

@@ -1,0 +1,133 @@
+//! What walls do within a step.
+
+use crate::support::{G, WATER, advance, block, flow, gravity, largest_speed, tank, touch, volume};
+use fluid_solver::backend::Step;
+use fluid_solver::backend::pfem::flow::{Control, Flow, FlowFault, Forces};
+use fluid_solver::backend::pfem::wall::{Grip, Plane, Shape, Wall};
+use fluid_solver::element::simplex::dot;
+use std::f64::consts::{PI, TAU};
+use surface::motion::Motion;
+
+/// A tank that starts to move with an acceleration of its own; its surface is level for who moves with it.
+fn accelerated<const D: usize, const N: usize>(cells: [usize; D], amplitude: [f64; D]) {
+    let (frequency, length, size) = (1.0, 1e-3, [0.2; D]);
+    // At rest a quarter of a period after the middle.
+    let start = 0.25 / frequency;
+    let way = |time: f64| amplitude.map(|a| a * (TAU * frequency * time).sin());
+    let (from, to) = (way(start), way(start + length));
+    let acceleration: [f64; D] = std::array::from_fn(|k| 2.0 * (to[k] - from[k]) / (length * length));
+    let felt: [f64; D] = std::array::from_fn(|k| if k == D - 1 { -G } else { 0.0 } - acceleration[k]);
+
+    let mut cloud = block::<D, N>(size, cells, 0.25);
+    for x in &mut cloud.place {
+        let tilt: f64 = (0..D - 1).map(|k| felt[k] * x[k]).sum::<f64>() / -felt[D - 1];
+        x[D - 1] *= 1.0 + tilt / size[D - 1];
+    }
+    let depth = |x: &[f64; D]| {
+        let tilt: f64 = (0..D - 1).map(|k| felt[k] * x[k]).sum::<f64>() / -felt[D - 1];
+        size[D - 1] + tilt - x[D - 1]
+    };
+    let exact: Vec<f64> = cloud.place.iter().map(|x| -WATER.density * felt[D - 1] * depth(x)).collect();
+    let walls: Vec<Wall<D>> = tank(size, Grip::Slip)
+        .into_iter()
+        .map(|wall| wall.moving(Motion::oscillation(amplitude, frequency)))
+        .collect();
+    touch(&mut cloud, &walls);
+    for x in &mut cloud.place {
+        (0..D).for_each(|k| x[k] += from[k]);
+    }
+    let step = Step { time: start, length };
+    let solution = flow(WATER, 1e-12).solve(&cloud, &walls, step, &gravity()).unwrap();
+    for (p, exact) in solution.pressure.iter().zip(&exact) {
+        assert!((p - exact).abs() <= 1e-8 * WATER.density * G * size[0], "{p} against {exact}");
+    }
+    for v in &solution.velocity {
+        assert!((0..D).all(|k| (v[k] - 0.5 * length * acceleration[k]).abs() <= 1e-10));
+    }
+}
+
+#[test]
+fn the_pressure_in_an_accelerated_tank_is_exact() {
+    accelerated::<2, 3>([7, 6], [0.1, -0.05]);
+    accelerated::<3, 4>([4, 4, 5], [0.1, 0.03, -0.05]);
+}
+
+#[test]
+fn a_front_that_reaches_a_wall_ends_on_it_and_slides() {
+    let mut cloud = block::<2, 3>([0.1, 0.1], [8, 8], 0.25);
+    cloud.velocity.fill([1.0, 0.0]);
+    let mut walls = tank([0.1005, 1.0], Grip::Slip);
+    walls.remove(0);
+    touch(&mut cloud, &walls);
+    let before = volume(&cloud);
+    let front: Vec<usize> = (0..cloud.place.len()).filter(|&node| cloud.place[node][0] > 0.0999).collect();
+    advance(&mut flow(WATER, 1e-10), &mut cloud, &walls, &gravity(), 1e-3, 0..1, |_, _| ());
+    assert_eq!(front.len(), 9);
+    for &node in &front {
+        assert!(cloud.contacts[node].contains(0) && (cloud.place[node][0] - 0.1005).abs() < 1e-15);
+        assert_eq!(cloud.velocity[node][0], 0.0);
+    }
+    assert!((volume(&cloud) / before - 1.0).abs() < 1e-10);
+}
+
+#[test]
+fn nodes_on_a_round_of_planes_stay_on_them_and_a_corner_holds_both() {
+    // A wedge of 60 degrees.
+    let normals: Vec<[f64; 2]> = [PI / 6.0, PI - PI / 6.0].map(|angle| [angle.cos(), angle.sin()]).to_vec();
+    let walls: Vec<Wall<2>> = normals
+        .iter()
+        .map(|&normal| Wall::new("side", Shape::Plane(Plane { point: [0.0; 2], normal }), Grip::Slip))
+        .collect();
+    let mut cloud = block::<2, 3>([1.0, 1.0], [6, 6], 0.0);
+    for x in &mut cloud.place {
+        // The square's corner at the origin becomes that of the wedge.
+        let [a, b] = *x;
+        *x = [0.1 * (a - b) * 0.5, 0.1 * (a + b) * (PI / 3.0).sin()];
+    }
+    touch(&mut cloud, &walls);
+    assert_eq!(cloud.contacts.iter().filter(|contacts| contacts.iter().count() == 2).count(), 1);
+    advance(&mut flow(WATER, 1e-8), &mut cloud, &walls, &gravity(), 1e-3, 0..20, |cloud, _| {
+        for (x, contacts) in cloud.place.iter().zip(&cloud.contacts) {
+            assert!(contacts.iter().all(|wall| dot(&normals[wall], x).abs() < 1e-15));
+        }
+    });
+    assert!(largest_speed(&cloud) > 1e-3 && cloud.place[0].iter().all(|x| x.abs() < 1e-15));
+}
+
+#[test]
+fn a_vessel_full_to_the_lid_stays_at_rest() {
+    let mut cloud = block::<2, 3>([0.1, 0.1], [8, 8], 0.25);
+    let mut walls = tank([0.1, 0.1], Grip::Slip);
+    let lid = Plane { point: [0.0, 0.1], normal: [0.0, -1.0] };
+    walls.push(Wall::new("lid", Shape::Plane(lid), Grip::Slip));
+    touch(&mut cloud, &walls);
+    advance(&mut flow(WATER, 1e-10), &mut cloud, &walls, &gravity(), 1e-3, 0..20, |cloud, _| {
+        assert!(largest_speed(cloud) <= 1e-9, "{:e}", largest_speed(cloud));
+    });
+    let level = cloud.pressure[0] + WATER.density * G * cloud.place[0][1];
+    for (p, x) in cloud.pressure.iter().zip(&cloud.place) {
+        assert!((p + WATER.density * G * x[1] - level).abs() <= 1e-6 * WATER.density * G * 0.1);
+    }
+}
+
+#[test]
+fn a_step_that_turns_a_cell_over_is_refused_with_one_that_does_not() {
+    let mut cloud = block::<2, 3>([0.1, 0.1], [4, 4], 0.0);
+    let inner = (0..cloud.place.len()).find(|&node| cloud.place[node] == [0.05, 0.05]).unwrap();
+    cloud.velocity[inner] = [100.0, 0.0];
+    let still = Forces { gravity: [0.0; 2], grains: None };
+    let mut flow = Flow::<2, 3>::new(WATER, Control::default());
+    let bound = flow.largest_step(&cloud);
+    assert!(bound > 0.0 && bound < 0.025 / 100.0, "{bound}");
+    let attempt =
+        |flow: &mut Flow<2, 3>, length: f64| flow.solve(&cloud, &[], Step { time: 0.0, length }, &still);
+    let Err(FlowFault::Inverted { bound, length, .. }) = attempt(&mut flow, 5e-3) else { panic!("accepted") };
+    assert!(bound < length);
+    let mut length = bound;
+    while let Err(fault) = attempt(&mut flow, length) {
+        let FlowFault::Inverted { bound, .. } = fault else { panic!("{fault}") };
+        assert!(bound < length);
+        length = bound;
+    }
+    assert!(length > 1e-5, "{length}");
+}
