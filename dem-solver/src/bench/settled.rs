@@ -25,10 +25,6 @@ const REST: f64 = 5e-3;
 const PATIENCE: f64 = 2.0;
 /// Steps between two looks.
 const LOOK: u32 = 1000;
-/// Beds of more grains, whose rest would take hours, are let go once their towers have leaned on each other.
-const PATIENT_BED: usize = 500_000;
-/// How long these lean \[s\].
-const LEANING: f64 = 0.03;
 
 /// A scene in its state, as a case.
 pub struct Settled {
@@ -80,12 +76,11 @@ fn settle(scene: BenchScene, count: usize, folder: &Path) -> Result<Vec<Grain<3>
     }
     let (width, towers) = (scene.width(count), scene.towers(count));
     if towers == 1 {
-        return come_to_rest(scene, scene.settling(), scene.start(count, width), width, folder);
+        return come_to_rest(scene, scene.start(count, width), width, folder);
     }
     let (side, each) = (width / towers as f64, count.div_ceil(towers * towers));
-    let tower = come_to_rest(scene, scene.settling(), scene.start(each, side), side, folder)?;
-    let settling = if count > PATIENT_BED { Settling::For(LEANING) } else { scene.settling() };
-    come_to_rest(scene, settling, side_by_side(&tower, towers, side, count), width, folder)
+    let tower = come_to_rest(scene, scene.start(each, side), side, folder)?;
+    come_to_rest(scene, side_by_side(&tower, towers, side, count), width, folder)
 }
 
 /// So many copies of a tower of this side \[m\] along x and y, without the topmost grains beyond `count`. Grains that touched
@@ -105,12 +100,11 @@ fn side_by_side(tower: &[Grain<3>], towers: usize, side: f64, count: usize) -> V
 /// The grains of a scene in a box of this side \[m\] in the state to measure.
 fn come_to_rest(
     scene: BenchScene,
-    settling: Settling,
     start: Vec<Grain<3>>,
     width: f64,
     folder: &Path,
 ) -> Result<Vec<Grain<3>>, BenchError> {
-    if settling == Settling::Never {
+    if scene.settling() == Settling::Never {
         return Ok(start);
     }
     write_deck(folder, &scene.case(start.len(), width))?;
@@ -123,7 +117,7 @@ fn come_to_rest(
         let duration = f64::from(LOOK) * STEP;
         window(&surroundings, &mut world, &mut workspace, None, duration, LOOK)?;
         let speed = root_mean_square_speed(&world);
-        let is_settled = match settling {
+        let is_settled = match scene.settling() {
             Settling::For(seconds) => world.time > seconds - 0.5 * STEP,
             _ => speed < REST,
         };
