@@ -32,7 +32,9 @@ macro_rules! cases {
 cases! {
     bonded_beam "bonded-beam"
     collapse_50 "collapse-50"
+    falling_cylinder "falling-cylinder"
     fluidised_bed "fluidised-bed"
+    grains_into_water "grains-into-water"
     heap "heap"
     hindered_settling "hindered-settling"
     hydrostatic_half_bed "hydrostatic-half-bed"
@@ -40,6 +42,7 @@ cases! {
     packed_bed "packed-bed"
     pipe_sediment "pipe-sediment"
     relaxation_box "relaxation-box"
+    rising_and_sinking "rising-and-sinking"
     rolling_start "rolling-start"
     rotating_drum "rotating-drum"
     settling_ode "settling-ode"
