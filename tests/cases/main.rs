@@ -33,7 +33,6 @@ cases! {
     bonded_beam "bonded-beam"
     collapse_50 "collapse-50"
     dam_break "dam-break"
-    dam_break_obstacle "dam-break-obstacle"
     fluidised_bed "fluidised-bed"
     heap "heap"
     hindered_settling "hindered-settling"
