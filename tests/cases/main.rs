@@ -32,6 +32,7 @@ macro_rules! cases {
 cases! {
     bonded_beam "bonded-beam"
     collapse_50 "collapse-50"
+    dam_break "dam-break"
     falling_cylinder "falling-cylinder"
     fluidised_bed "fluidised-bed"
     grains_into_water "grains-into-water"
@@ -49,6 +50,7 @@ cases! {
     settling_sphere "settling-sphere"
     settling_sphere_periodic "settling-sphere-periodic"
     silo_discharge "silo-discharge"
+    sloshing_tank "sloshing-tank"
     tumbling_dumbbell "tumbling-dumbbell"
     two_sphere_impact "two-sphere-impact"
 }
