@@ -202,7 +202,7 @@ impl<const D: usize> Participant for DemParticipant<D> {
     }
 
     fn advance(&mut self, iteration: u32) -> Result<Advance, Failure> {
-        Ok(Advance::Solved(self.advance_iteration(iteration)?))
+        Ok(Advance::Solved(Box::new(self.advance_iteration(iteration)?)))
     }
 
     fn restore(&mut self) -> Result<(), Failure> {

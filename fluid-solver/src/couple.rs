@@ -142,11 +142,11 @@ impl FluidParticipant {
             self.publish_samples(iteration, step.end(), rows)?;
         }
         self.seconds[2] += clock.lap();
-        Ok(Advance::Solved(Solved {
+        Ok(Advance::Solved(Box::new(Solved {
             books: Books::Fluid { ledger: solution.ledger, norms: solution.norms },
             largest_step: self.backend.largest_step(),
             work: solution.iterations,
-        }))
+        })))
     }
 
     fn commit_window(&mut self, commit: &Commit) -> Result<Committed, FluidError> {

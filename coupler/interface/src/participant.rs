@@ -20,7 +20,7 @@ pub enum Opening {
 /// Answer to an iteration.
 pub enum Advance {
     /// This side's part is done.
-    Solved(Solved),
+    Solved(Box<Solved>),
     /// The window is too long for it, and is given up.
     TooLarge(TooLarge),
 }
@@ -113,7 +113,7 @@ fn answer<P: Participant>(participant: &mut P, command: &Command) -> Result<Repo
             Opening::TooLarge(refusal) => Report::TooLarge(refusal),
         },
         Command::Advance { iteration } => match participant.advance(*iteration)? {
-            Advance::Solved(solved) => Report::Solved(Box::new(solved)),
+            Advance::Solved(solved) => Report::Solved(solved),
             Advance::TooLarge(refusal) => Report::TooLarge(refusal),
         },
         Command::Restore => {

@@ -62,11 +62,11 @@ impl Participant for Follower {
         };
         self.ends_grains.write(stamp, self.position.len(), grain)?;
         self.impulse.write(stamp, self.position.len(), |_| ImpulseRow::default())?;
-        Ok(Advance::Solved(Solved {
+        Ok(Advance::Solved(Box::new(Solved {
             books: Books::Grains(GrainLedger::default()),
             largest_step: 1.0,
             work: 1,
-        }))
+        })))
     }
     fn restore(&mut self) -> Result<(), Failure> {
         self.position.clone_from(&self.saved);

@@ -206,7 +206,7 @@ impl FluidBackend for Imposed {
                 ledger.scale += drag.abs() + stress.abs() + explicit.abs();
             }
         }
-        Ok(Attempt::Solved(Solution { ledger, ..Solution::default() }))
+        Ok(Attempt::Solved(Box::new(Solution { ledger, ..Solution::default() })))
     }
 
     fn prepare_samples(&mut self) {}

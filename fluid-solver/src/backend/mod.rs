@@ -52,7 +52,7 @@ pub struct Solution {
 #[derive(Clone, Debug)]
 pub enum Attempt {
     /// The equations hold.
-    Solved(Solution),
+    Solved(Box<Solution>),
     /// Not with this Δt: the state is to be restored and the window offered anew, shorter.
     TooLarge(TooLarge),
 }
@@ -61,7 +61,7 @@ impl Attempt {
     /// The solution, if there is one.
     pub fn solved(self) -> Option<Solution> {
         match self {
-            Self::Solved(solution) => Some(solution),
+            Self::Solved(solution) => Some(*solution),
             Self::TooLarge(_) => None,
         }
     }

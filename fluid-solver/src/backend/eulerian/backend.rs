@@ -168,7 +168,7 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
         if self.response == Response::OneWay && self.grains.count() > 0 {
             self.book_one_way(step, &mut ledger);
         }
-        Ok(Attempt::Solved(Solution { norms: self.norms(), ledger, iterations }))
+        Ok(Attempt::Solved(Box::new(Solution { norms: self.norms(), ledger, iterations })))
     }
 
     fn prepare_samples(&mut self) {

@@ -193,7 +193,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
             iterations: solution.iterations,
         };
         self.solution = Some(solution);
-        Ok(Attempt::Solved(answer))
+        Ok(Attempt::Solved(Box::new(answer)))
     }
 
     fn prepare_samples(&mut self) {
