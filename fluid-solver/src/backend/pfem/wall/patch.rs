@@ -38,6 +38,9 @@ pub struct Patch<const D: usize> {
 /// Through a corner a point is pushed at most this many times farther than it is behind a facet of it.
 const BEYOND: f64 = 3.0;
 
+/// Of the bins of a flat surface, in parts of its extent.
+const THICKNESS: f64 = 1e-3;
+
 /// Distances that differ by less, in parts of the extent, are one.
 const ONE: f64 = 1e-10;
 
@@ -45,6 +48,8 @@ impl<const D: usize> Patch<D> {
     pub(super) fn new(facets: Vec<Facet<D>>) -> Self {
         let around = bounds(facets.iter().flat_map(|facet| &facet.vertices));
         let extent = distance(&around.0, &around.1);
+        // A flat surface has bins of some thickness too.
+        let around = (around.0.map(|c| c - THICKNESS * extent), around.1.map(|c| c + THICKNESS * extent));
         let bins = Bins::new(around, facets.len(), facets.len(), |k| bounds(&facets[k].vertices));
         Self { facets, bins, extent }
     }
