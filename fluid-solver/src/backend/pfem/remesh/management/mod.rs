@@ -22,10 +22,10 @@ pub fn manage(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &[Wall<2>], tim
 /// Edges shorter than this share of h on the surface become a node.
 pub const SHORTEST: f64 = 0.5;
 /// Edges longer than this share of h on the surface are split.
-const LONGEST: f64 = 1.4;
+pub const LONGEST: f64 = 1.4;
 /// Inner nodes closer than this share of h to another inner node go.
 pub const CLOSEST: f64 = 0.6;
 /// Inner nodes closer than this share of h to a node or an edge of the surface go.
 pub const CLOSEST_TO_SURFACE: f64 = 0.4;
 /// Inner edges longer than this share of h get a node.
-const FARTHEST: f64 = 1.6;
+pub const FARTHEST: f64 = 1.6;

@@ -1,15 +1,10 @@
 //! Nodes come and go so that neighbours stand about h apart.
 
 use super::super::draft::Draft;
-use super::super::management::{CLOSEST, CLOSEST_TO_SURFACE, SHORTEST};
+use super::super::management::{CLOSEST, CLOSEST_TO_SURFACE, FARTHEST, LONGEST, SHORTEST};
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::{Contacts, Wall};
 use crate::element::simplex::{Vector, distance, dot, volume_and_areas};
-
-/// Edges of the surface longer than this share of h get a node; the diagonal of a square of side h does not.
-const LONGEST: f64 = 1.6;
-/// Inner edges longer than this share of h get a node; the diagonal of a cube of side h does not.
-const FARTHEST: f64 = 1.9;
 
 /// Manages the nodes of the moved cloud. The old cells keep the nodes that go until the new ones replace them.
 pub fn manage(cloud: &mut Cloud<3, 4>, draft: &mut Draft<3>, walls: &[Wall<3>], time: f64) {
