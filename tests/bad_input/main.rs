@@ -12,6 +12,7 @@ mod files;
 mod grains;
 mod keys;
 mod mesh_text;
+mod moving_nodes;
 mod refusal;
 mod restart_point;
 mod scene;

@@ -105,6 +105,47 @@ scheme = "one-way"
 drag = "di-felice"
 "#;
 
+/// A column of water in the corner of a tank, whose far wall is a line; no grains.
+const TANK: &str = r#"[case]
+title = "a column of water in a tank"
+dimension = 2
+gravity = ["0 m/s^2", "-9.81 m/s^2"]
+
+[time]
+end = "20 ms"
+window = "2 ms"
+
+[output]
+series = "2 ms"
+frames = "10 ms"
+restart = "4 ms"
+
+[fluid]
+backend = "pfem"
+density = "1000 kg/m^3"
+viscosity = "1 mPa s"
+
+[fluid.mesh]
+box = { lower = ["0 m", "0 m"], upper = ["50 mm", "50 mm"], size = "5 mm" }
+
+[[fluid.boundary]]
+on = ["x-min", "y-min"]
+kind = "slip"
+
+[[fluid.boundary]]
+on = ["x-max", "y-max"]
+kind = "free-surface"
+
+[[fluid.boundary]]
+on = ["weir"]
+kind = "slip"
+
+[[wall]]
+name = "weir"
+polyline.points = [["0.1 m", "0 m"], ["0.1 m", "1 m"]]
+# moves
+"#;
+
 /// A case in a folder of its own.
 pub struct Scene {
     pub folder: Folder,
@@ -124,6 +165,10 @@ impl Scene {
 
     pub fn carried() -> Scene {
         Scene::new(CARRIED)
+    }
+
+    pub fn tank() -> Scene {
+        Scene::new(TANK)
     }
 
     /// The case with one place of its text changed.

@@ -32,6 +32,8 @@ macro_rules! cases {
 cases! {
     bonded_beam "bonded-beam"
     collapse_50 "collapse-50"
+    dam_break "dam-break"
+    dam_break_obstacle "dam-break-obstacle"
     fluidised_bed "fluidised-bed"
     heap "heap"
     hindered_settling "hindered-settling"
@@ -46,6 +48,7 @@ cases! {
     settling_sphere "settling-sphere"
     settling_sphere_periodic "settling-sphere-periodic"
     silo_discharge "silo-discharge"
+    sloshing_tank "sloshing-tank"
     tumbling_dumbbell "tumbling-dumbbell"
     two_sphere_impact "two-sphere-impact"
 }

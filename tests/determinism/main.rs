@@ -28,6 +28,19 @@ fn one_two_and_four_threads_leave_the_same_bytes() {
     assert_same_results(&folder.join("1"), &folder.join("4"));
 }
 
+#[test]
+fn a_dam_break_is_the_same_for_one_two_and_four_threads() {
+    const SHORT: [&str; 3] = ["time.end=\"0.3 s\"", "output.series=\"20 ms\"", "output.frames=\"0.1 s\""];
+    let folder = Folder::new();
+    for threads in ["1", "2", "4"] {
+        let output = run(&case("dam-break"), &folder.join(threads), &SHORT, &["--threads", threads]);
+        // Its checks are about times up to the end of the run.
+        assert!(matches!(output.status.code(), Some(0 | 4)), "{}", stderr(&output));
+    }
+    assert_same_results(&folder.join("1"), &folder.join("2"));
+    assert_same_results(&folder.join("1"), &folder.join("4"));
+}
+
 struct Nobody;
 
 impl Watcher for Nobody {

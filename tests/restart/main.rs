@@ -34,6 +34,30 @@ fn a_run_killed_and_resumed_leaves_the_bytes_of_a_run_through() {
     assert_same_results(&folder.join("through"), &folder.join("killed"));
 }
 
+/// A fluid whose nodes and cells come and go, through the wall's impact: the restart point lies between steps that remesh.
+#[test]
+fn a_dam_break_resumes_to_the_same_bytes() {
+    let folder = Folder::new();
+    let case = case("dam-break");
+    let changes = [
+        "time.end=\"0.36 s\"",
+        "output.series=\"12 ms\"",
+        "output.restart=\"0.12 s\"",
+        "output.frames=\"0.12 s\"",
+    ];
+    let through = run(&case, &folder.join("through"), &changes, &[]);
+    let mut live =
+        Live::start(&case, &folder.join("killed"), &changes, &["--hold", "fluid-solver:310:commit"]);
+    live.wait_held();
+    for pid in live.solvers().iter().map(|(pid, _)| *pid).chain([live.child.id()]) {
+        signal(pid, "KILL");
+    }
+    live.exit_code(Duration::from_secs(5));
+    let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
+    assert_eq!(resumed.status.code(), through.status.code(), "{}", stderr(&resumed));
+    assert_same_results(&folder.join("through"), &folder.join("killed"));
+}
+
 /// Contacts, walls, insertion over time and a two-way fluid: stopped by Ctrl-C at some commit, killed, or run through.
 #[test]
 fn a_coupled_run_with_contacts_resumes_to_the_same_bytes() {

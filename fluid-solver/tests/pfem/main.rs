@@ -1,5 +1,6 @@
 //! Claims about `pfem`.
 
+mod backend;
 mod flow;
 mod grains;
 mod space;

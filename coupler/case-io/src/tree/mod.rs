@@ -296,7 +296,7 @@ mod tests {
             &[(
                 "\"eulerian\"",
                 "\"\"\"a\nb\"\"\"",
-                "case.toml:8: fluid.backend: unknown backend \"a\\nb\"; allowed: imposed, eulerian",
+                "case.toml:8: fluid.backend: unknown backend \"a\\nb\"; allowed: imposed, eulerian, pfem",
             )],
         );
     }

@@ -48,7 +48,11 @@ pub fn statistics<const D: usize, const N: usize>(
     found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.medium.density * momentum(k))));
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
     for (k, [lowest, highest]) in REACH.into_iter().take(D).enumerate() {
-        let reach = |sign: f64| sign * largest(&mut cloud.place.iter().map(|x| sign * x[k]));
+        let wet = mass.iter().zip(&cloud.drop).map(|(mass, drop)| *drop == 0.0 && *mass > 0.0);
+        let reach = |sign: f64| {
+            let places = cloud.place.iter().zip(wet.clone()).filter(|(_, wet)| *wet);
+            sign * largest(&mut places.map(|(x, _)| sign * x[k]))
+        };
         found.extend([(lowest, reach(-1.0)), (highest, reach(1.0))]);
     }
     let drops = cloud.drop.iter().filter(|&&drop| drop > 0.0).count();

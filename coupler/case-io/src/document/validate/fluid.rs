@@ -205,7 +205,7 @@ mod tests {
                 (
                     "eulerian",
                     "eulerain",
-                    "case.toml:8: fluid.backend: unknown backend \"eulerain\"; allowed: imposed, eulerian; did you mean \"eulerian\"?",
+                    "case.toml:8: fluid.backend: unknown backend \"eulerain\"; allowed: imposed, eulerian, pfem; did you mean \"eulerian\"?",
                 ),
             ],
         );

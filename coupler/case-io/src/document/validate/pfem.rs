@@ -68,42 +68,42 @@ mod tests {
                 (
                     "kind = \"free-surface\"",
                     "kind = \"outlet\"",
-                    "case.toml:18: fluid.boundary[1].kind: backend \"pfem\" has no kind \"outlet\"; allowed: no-slip, slip, free-surface; state a wall that moves as [[wall]] with motion",
+                    "case.toml:19: fluid.boundary[1].kind: backend \"pfem\" has no kind \"outlet\"; allowed: no-slip, slip, free-surface; state a wall that moves as [[wall]] with motion",
                 ),
                 (
                     "backend = \"pfem\"",
                     "backend = \"eulerian\"",
-                    "case.toml:21: wall: has no effect without [grains]; delete it",
+                    "case.toml:23: wall: has no effect without [grains]; delete it",
                 ),
                 (
                     "size = \"0.1 m\" }",
                     "size = \"0.1 m\", periodic = [\"x\"] }",
-                    "case.toml:12: fluid.mesh.box.periodic: the nodes of backend \"pfem\" move, and no axis wraps; delete it",
+                    "case.toml:13: fluid.mesh.box.periodic: the nodes of backend \"pfem\" move, and no axis wraps; delete it",
                 ),
                 (
                     "[fluid.mesh]",
                     "pfem = { size = \"2 m\" }\n[fluid.mesh]",
-                    "case.toml:11: fluid.pfem.size: found 2 m; allowed: at most the shortest edge of fluid.mesh.box, 1 m",
+                    "case.toml:12: fluid.pfem.size: found 2 m; allowed: at most the shortest edge of fluid.mesh.box, 1 m",
                 ),
                 (
                     "\"y-max\"",
                     "\"weir\"",
-                    "case.toml:19: fluid.boundary[2].on[0]: boundary \"weir\" is named twice; delete one",
+                    "case.toml:21: fluid.boundary[2].on[0]: boundary \"weir\" is named twice; delete one",
                 ),
                 (
                     "[[fluid.boundary]]\non = [\"weir\"]\nkind = \"slip\"\n",
                     "",
-                    "case.toml:19: wall[0]: \"weir\" holds neither grains nor the fluid; name it in a [[fluid.boundary]], or delete it",
+                    "case.toml:20: wall[0]: \"weir\" holds neither grains nor the fluid; name it in a [[fluid.boundary]], or delete it",
                 ),
                 (
                     "name = \"weir\"",
                     "name = \"weir\"\nmaterial = \"steel\"",
-                    "case.toml:24: wall[0].material: has no effect without [grains]; delete it",
+                    "case.toml:25: wall[0].material: has no effect without [grains]; delete it",
                 ),
                 (
                     "[\"3 m\", \"1 m\"]",
                     "[\"3 m\", \"0 m\"]",
-                    "case.toml:24: wall[0].polyline.points: the points 1 and 2 are the same; delete one; closed = true needs no repetition of the first",
+                    "case.toml:25: wall[0].polyline.points: the points 1 and 2 are the same; delete one; closed = true needs no repetition of the first",
                 ),
             ],
         );
@@ -115,11 +115,11 @@ mod tests {
         let rows = [
             (
                 with("velocity = [\"1 m/s\", \"0 m/s\"]"),
-                "case.toml:11: fluid.body[0]: none of these keys is given; allowed: exactly one of box, sphere",
+                "case.toml:12: fluid.body[0]: none of these keys is given; allowed: exactly one of box, sphere",
             ),
             (
                 with("sphere = { centre = [\"1 m\", \"2 m\"], radius = \"0 m\" }"),
-                "case.toml:12: fluid.body[0].sphere.radius: found 0 m; allowed: more than 0 m",
+                "case.toml:13: fluid.body[0].sphere.radius: found 0 m; allowed: more than 0 m",
             ),
         ];
         for (to, message) in &rows {

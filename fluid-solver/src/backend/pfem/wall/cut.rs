@@ -105,9 +105,9 @@ mod tests {
         assert_eq!(touch([0.5, 1.25]), (0.5, [-1.0, 0.0]), "the side is farther than the top");
         assert_eq!(touch([0.875, 1.25]), (0.25, [0.0, 1.0]));
         assert_eq!(touch([1.25, 0.875]), (-0.125, [0.0, 1.0]), "in it the nearer face is touched");
-        // The floor before the block goes on under it, and not to the floor behind it.
-        assert!(step[0].touch(&[1.5, -0.1]).gap < 0.0);
-        assert!(step[0].touch(&[2.5, -0.1]).gap > 0.0);
+        // The floor before the block goes on below its corner, and not to the floor behind it, whose nodes it does not touch.
+        assert!(step[0].touch(&[1.1, -0.1]).gap < 0.0);
+        assert!((step[0].touch(&[2.5, 0.0]).gap - 1.5).abs() < 1e-15);
     }
 
     #[test]

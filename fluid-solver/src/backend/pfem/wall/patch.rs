@@ -35,6 +35,9 @@ pub struct Patch<const D: usize> {
     extent: f64,
 }
 
+/// Through a corner a point is pushed at most this many times farther than it is behind a facet of it.
+const BEYOND: f64 = 3.0;
+
 /// Distances that differ by less, in parts of the extent, are one.
 const ONE: f64 = 1e-10;
 
@@ -57,8 +60,8 @@ impl<const D: usize> Patch<D> {
     /// How it stands to a point x: with the nearest point c of the facet whose gap n·(x − c) is the largest of those equally
     /// near, which at a convex edge is the one that faces x.
     ///
-    /// Off the end of the surface the gap is |x − c|. At a concave edge the facet goes on behind the other patch for as far
-    /// as it is long: what is there is behind the wall.
+    /// Off the end of the surface the gap is |x − c|. At a concave edge the facet goes on behind the other patch, where x is
+    /// not much farther beyond the edge than behind the facet: what was pushed out through the corner is behind both.
     pub(super) fn touch(&self, x: &Vector<D>) -> Touch<D> {
         let off = |facet: &Facet<D>| difference(x, &on_facet(&facet.vertices, x));
         let squared = |k: u32| {
@@ -87,7 +90,7 @@ impl<const D: usize> Patch<D> {
         place = on_facet(&chosen.vertices, x);
         let ends = match self.end_at(chosen, &place) {
             Side::Joined => false,
-            Side::Concave => least > chosen.length(),
+            Side::Concave => least > BEYOND * -gap,
             Side::Rim => true,
         };
         if ends && least > 0.0 {
@@ -122,11 +125,4 @@ fn on_side<const D: usize>(vertices: &[Vector<D>; D], k: usize, x: &Vector<D>) -
     let along = difference(&vertices[(k + 2) % D], &a);
     let share = (dot(&difference(x, &a), &along) / dot(&along, &along)).clamp(0.0, 1.0);
     std::array::from_fn(|i| a[i] + share * along[i])
-}
-
-impl<const D: usize> Facet<D> {
-    /// Its longest side.
-    fn length(&self) -> f64 {
-        (0..D).map(|k| distance(&self.vertices[k], &self.vertices[(k + 1) % D])).fold(0.0, f64::max)
-    }
 }

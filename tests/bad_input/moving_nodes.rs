@@ -1,0 +1,127 @@
+//! Fluids whose nodes move: bodies, walls and steps that cannot be.
+
+use crate::refusal::{assert_refused, refusal, run};
+use crate::scene::Scene;
+
+#[test]
+fn the_sound_tank_is_run() {
+    let scene = Scene::tank();
+    let ran = run(&scene, &[]);
+    assert_eq!((ran.code, ran.words.as_str()), (0, ""));
+}
+
+#[test]
+fn cells_larger_than_the_vessel_are_refused() {
+    let scene = Scene::tank().with("size = \"5 mm\"", "size = \"60 mm\"");
+    assert_refused(
+        &scene,
+        "60 mm",
+        "fluid.mesh.box.size",
+        &["found 0.06 m", "at most the shortest edge, 0.05 m"],
+    );
+    let scene = Scene::tank().with("[fluid.mesh]", "pfem = { size = \"60 mm\" }\n[fluid.mesh]");
+    assert_refused(
+        &scene,
+        "60 mm",
+        "fluid.pfem.size",
+        &["found 0.06 m", "at most the shortest edge of fluid.mesh.box, 0.05 m"],
+    );
+}
+
+#[test]
+fn nodes_too_far_apart_for_their_size_are_refused() {
+    let scene = Scene::tank().with("[fluid.mesh]", "pfem = { size = \"2 mm\" }\n[fluid.mesh]");
+    assert_refused(
+        &scene,
+        "2 mm",
+        "fluid.pfem.size",
+        &[
+            "2.000e-3 m, but at",
+            "nodes are 7.071e-3 m apart",
+            "allowed: 2.828e-3 m or more",
+            "make the mesh finer",
+        ],
+    );
+}
+
+#[test]
+fn a_fluid_without_volume_is_refused() {
+    let scene = Scene::tank().with("size = \"5 mm\"", "size = \"5 mm\", surface = \"x - 0.02\"");
+    assert_refused(
+        &scene,
+        "[fluid.mesh]",
+        "fluid.mesh",
+        &["has no volume", "raise its surface above its bottom"],
+    );
+    let scene = Scene::tank().with("size = \"5 mm\"", "size = \"5 mm\", surface = \"0\"");
+    assert_refused(&scene, "[fluid.mesh]", "fluid.mesh", &["has no volume"]);
+}
+
+#[test]
+fn nodes_at_one_place_are_refused() {
+    let twin =
+        "[[fluid.body]]\nbox = { lower = [\"0 mm\", \"50 mm\"], upper = [\"50 mm\", \"60 mm\"] }\n[[wall]]";
+    let scene = Scene::tank().with("[[wall]]", twin);
+    assert_refused(&scene, "[fluid]", "fluid", &["two nodes are at [", "part the bodies"]);
+}
+
+#[test]
+fn fluid_behind_a_wall_is_refused() {
+    let scene = Scene::tank()
+        .with("[[\"0.1 m\", \"0 m\"], [\"0.1 m\", \"1 m\"]]", "[[\"0.1 m\", \"1 m\"], [\"0.1 m\", \"0 m\"]]");
+    assert_refused(
+        &scene,
+        "[fluid]",
+        "fluid",
+        &["is 1.000e-1 m behind the wall \"weir\"", "turn the wall round"],
+    );
+}
+
+#[test]
+fn walls_with_a_gap_between_them_are_refused() {
+    let scene = Scene::tank().with("[\"0.1 m\", \"0 m\"]", "[\"0.1 m\", \"2 mm\"]");
+    assert_refused(
+        &scene,
+        "[[fluid.boundary]]",
+        "fluid.boundary",
+        &[
+            "a gap of 2.000e-3 m between an end of the wall \"weir\", at [0.1, 0.002] m, and \"y-min\"",
+            "close it or widen it",
+        ],
+    );
+}
+
+#[test]
+fn a_boundary_that_is_no_plane_is_refused_with_what_to_do() {
+    let scene = Scene::tank().with("kind = \"free-surface\"", "kind = \"inlet\"\nspeed = \"1 m/s\"");
+    assert_refused(
+        &scene,
+        "\"inlet\"",
+        "fluid.boundary[1].kind",
+        &["backend \"pfem\" has no kind \"inlet\"", "allowed: no-slip, slip, free-surface"],
+    );
+    let scene = Scene::tank().with("[\"x-min\", \"y-min\"]", "[\"x-min\", \"x-max\", \"y-min\", \"y-max\"]");
+    let line = refusal(
+        &scene
+            .with("on = [\"x-max\", \"y-max\"]\nkind = \"free-surface\"", "on = [\"lid\"]\nkind = \"slip\""),
+    );
+    assert!(
+        line.contains("there is no boundary \"lid\"; allowed: x-min, x-max, y-min, y-max, weir"),
+        "{line}"
+    );
+}
+
+#[test]
+fn a_fluid_that_has_nowhere_to_go_ends_the_run_with_the_reason_and_its_last_state() {
+    let scene = Scene::tank()
+        .with("[\"x-max\", \"y-max\"]\nkind = \"free-surface\"", "[\"x-max\", \"y-max\"]\nkind = \"slip\"")
+        .with("[[\"0.1 m\", \"0 m\"], [\"0.1 m\", \"1 m\"]]", "[[\"51 mm\", \"-1 m\"], [\"51 mm\", \"1 m\"]]")
+        .with("# moves", "motion = { translation = [\"-1 m/s\", \"0 m/s\"] }");
+    let ran = run(&scene, &[]);
+    ran.assert_line(
+        11,
+        &["time: a window of", "is wanted by fluid-solver at t =", "because ", "time.smallest-window"],
+    );
+    let out = scene.folder.join("out");
+    assert!(out.join("summary.json").exists() && out.join("series/fluid.csv").exists());
+}
