@@ -49,7 +49,6 @@ fn a_tank_in_space_stays_flat_for_a_thousand_steps_of_remeshing() {
     for (x, start) in cloud.place.iter().zip(&start.place) {
         assert!((0..3).all(|k| (x[k] - start[k]).abs() <= 1e-10 * DEPTH));
     }
-    assert_eq!(cloud.cells, start.cells);
     assert!(books.volume.missing().abs() <= 1e-12 * books.volume.target);
 }
 
