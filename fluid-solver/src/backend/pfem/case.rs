@@ -4,7 +4,7 @@ use super::backend::{Pfem, Setting};
 use super::body::Body;
 use super::cloud::Cloud;
 use super::flow::{self, Control, Flow};
-use super::remesh::{Recognition, Remesher, TargetSize};
+use super::remesh::{Recognition, Remesher, SpaceRemesher, TargetSize};
 use super::renewal::Renewal;
 use super::wall::{Wall, refuse_gaps, walls};
 use crate::backend::{FluidBackend, Response};
@@ -29,24 +29,20 @@ const SPARSE: f64 = 2.5;
 /// A mesh, a body or a wall that is refused.
 pub fn of(case: &Case, fluid: &Fluid, response: Response) -> Result<Box<dyn FluidBackend>, FluidError> {
     let has_mesh = fluid.mesh.is_some();
+    let recognition = match fluid.pfem.as_ref().map(|pfem| pfem.recognition).unwrap_or_default() {
+        document::Recognition::MovedDomain => Recognition::MovedDomain,
+        document::Recognition::AlphaShape => Recognition::AlphaShape { alpha: ALPHA },
+    };
     match case.document.case.dimension {
         Dimension::Two => {
             let mesh = has_mesh.then(|| mesh::case::plane(case, fluid)).transpose()?;
-            let recognition = match fluid.pfem.as_ref().map(|pfem| pfem.recognition).unwrap_or_default() {
-                document::Recognition::MovedDomain => Recognition::MovedDomain,
-                document::Recognition::AlphaShape => Recognition::AlphaShape { alpha: ALPHA },
-            };
-            Ok(Box::new(backend::<2, 3>(
-                case,
-                fluid,
-                mesh,
-                Box::new(Remesher::<2, 3>::new(recognition)),
-                response,
-            )?))
+            let renewal = Box::new(Remesher::<2, 3>::new(recognition));
+            Ok(Box::new(backend::<2, 3>(case, fluid, mesh, renewal, response)?))
         }
         Dimension::Three => {
-            let found = "backend \"pfem\" finds its mesh anew in 2D only";
-            Err(case.error("case.dimension", found, "2", "use backend = \"eulerian\"").into())
+            let mesh = has_mesh.then(|| mesh::case::space(case, fluid)).transpose()?;
+            let renewal = Box::new(SpaceRemesher::new(recognition));
+            Ok(Box::new(backend::<3, 4>(case, fluid, mesh, renewal, response)?))
         }
     }
 }
