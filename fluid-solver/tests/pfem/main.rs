@@ -2,6 +2,6 @@
 
 mod backend;
 mod flow;
-mod space;
 mod grains;
+mod space;
 mod support;
