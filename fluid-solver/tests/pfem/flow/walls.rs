@@ -3,7 +3,7 @@
 use crate::support::{G, WATER, advance, block, flow, gravity, largest_speed, tank, touch, volume};
 use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::flow::{Control, Flow, FlowFault, Forces};
-use fluid_solver::backend::pfem::wall::{Grip, Plane, Shape, Wall};
+use fluid_solver::backend::pfem::wall::{Grip, Plane, Shape, Wall, patches};
 use fluid_solver::element::simplex::dot;
 use std::f64::consts::{PI, TAU};
 use surface::motion::Motion;
@@ -130,4 +130,26 @@ fn a_step_that_turns_a_cell_over_is_refused_with_one_that_does_not() {
         length = bound;
     }
     assert!(length > 1e-5, "{length}");
+}
+
+#[test]
+fn a_drop_that_slides_off_a_shelf_falls() {
+    let shelf = patches::<2>(&[[[0.0, 0.0], [0.1, 0.0]]]).remove(0);
+    let walls = [Wall::new("shelf", Shape::Patch(shelf), Grip::Slip)];
+    let mut cloud = block::<2, 3>([1.0, 1.0], [1, 1], 0.0);
+    (cloud.cells, cloud.neighbours) = (Vec::new(), Vec::new());
+    for x in &mut cloud.place {
+        *x = [0.055, 0.0];
+    }
+    cloud.velocity.fill([1.0, 0.0]);
+    cloud.drop.fill(1e-6);
+    touch(&mut cloud, &walls);
+    let mut heights = Vec::new();
+    advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.01, 0..8, |cloud, _| {
+        heights.push(cloud.place[0][1]);
+    });
+    assert!(heights[..4].iter().all(|height| height.abs() < 1e-15), "{heights:?}");
+    // Free from the step on in which it passes the edge.
+    assert!((heights[7] + 0.5 * G * 0.04 * 0.04).abs() < 1e-12, "{heights:?}");
+    assert!((cloud.place[0][0] - 0.135).abs() < 1e-12 && cloud.contacts[0].is_empty());
 }

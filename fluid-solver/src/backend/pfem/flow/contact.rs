@@ -6,6 +6,9 @@ use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::{Contacts, Grip, Wall};
 use crate::element::simplex::{Vector, dot};
 
+/// A node that slides past an edge lets go of the wall where its normal turns by more than the angle of this cosine.
+const EDGE: f64 = 0.7;
+
 /// A gap above minus this share of the way of a node is none.
 const TOUCHING: f64 = 1e-12;
 
@@ -53,6 +56,23 @@ impl<const D: usize> Contact<D> {
         });
         self.constraints.clear();
         self.constraints.resize(cloud.place.len(), Constraint::FREE);
+    }
+
+    /// Lets go of the walls past whose edges nodes slide when they go on as they do.
+    pub fn release<const N: usize>(&mut self, cloud: &Cloud<D, N>, walls: &[Wall<D>], step: Step) {
+        for (node, touched) in self.touched.iter_mut().enumerate().filter(|(_, touched)| !touched.is_empty())
+        {
+            let (place, v) = (&cloud.place[node], &cloud.velocity[node]);
+            for wall in cloud.contacts[node].iter() {
+                let before = walls[wall].touch(place, step.time);
+                let apart = dot(&before.normal, v) - dot(&before.normal, &before.velocity);
+                let along = moved(v, -apart, &before.normal);
+                let after = walls[wall].touch(&moved(place, step.length, &along), step.end());
+                if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE {
+                    touched.remove(wall);
+                }
+            }
+        }
     }
 
     /// Prescribes v_m such that the gaps at the end vanish: n·v_m = n·v − gap(x_n + Δt v)/Δt, linear about the iterate v;

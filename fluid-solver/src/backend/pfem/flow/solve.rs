@@ -153,6 +153,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             rows.resize((D + 1) * nodes, 0.0);
         }
         self.contact.begin(cloud);
+        self.contact.release(cloud, walls, step);
         let (mut velocity, mut pressure) = (cloud.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
         let progress = self.improve(start, &mut mesh, &mut velocity, &mut pressure);
