@@ -80,7 +80,7 @@ impl Remesher<2, 3> {
         let mut events = Events { crossed, ..Events::default() };
         let recognised = self.fluid_volume();
         books.volume.overlap.add(recognised - restored);
-        self.topology(cloud, &mut books.volume, &mut events);
+        self.topology(cloud, walls, time, &mut books.volume, &mut events);
         let as_before =
             self.triangles.fluid_count() == cloud.cells.len() && !self.draft.edited && events.none();
         if !as_before || !self.still_delaunay(cloud) {
@@ -95,11 +95,21 @@ impl Remesher<2, 3> {
     }
 
     /// Merges and breaks.
-    fn topology(&mut self, cloud: &mut Cloud<2, 3>, book: &mut VolumeBooks, events: &mut Events) {
+    fn topology(
+        &mut self,
+        cloud: &mut Cloud<2, 3>,
+        walls: &[Wall<2>],
+        time: f64,
+        book: &mut VolumeBooks,
+        events: &mut Events,
+    ) {
         let (draft, triangles) = (&mut self.draft, &mut self.triangles);
         let (closed, gained) = topology::close_gaps(cloud, draft, triangles);
         let (filled, void) = topology::fill_small_voids(cloud, draft, triangles);
         book.merging.add(gained + void);
+        let (landed, pressed) = topology::land_on_walls(cloud, draft, triangles, walls, time);
+        book.management.add(pressed);
+        events.landed = landed;
         let (broken, lost) = topology::break_thin_cells(cloud, draft, triangles);
         let (released, unborn) = topology::release_droplets(cloud, draft, triangles);
         book.separation.add(-lost - unborn);
