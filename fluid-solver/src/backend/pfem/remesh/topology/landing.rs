@@ -11,13 +11,14 @@ use delaunay::HULL;
 const FILM: f64 = 0.05;
 
 /// Puts nodes onto the wall that a thin cell keeps them off; the cell goes and the others around the node take its
-/// place. Returns their number and the change of area.
+/// place. The wall takes the momentum towards it. Returns their number and the change of area.
 pub fn land_on_walls(
     cloud: &mut Cloud<2, 3>,
     draft: &Draft,
     triangles: &mut Tessellation,
     walls: &[Wall<2>],
     time: f64,
+    momentum: &mut [f64; 2],
 ) -> (u32, f64) {
     let (mut count, mut change) = (0, 0.0);
     for triangle in 0..triangles.len() {
@@ -48,6 +49,7 @@ pub fn land_on_walls(
             let v = cloud.velocity[apex];
             let into = dot(&v, &touch.normal) - dot(&touch.velocity, &touch.normal);
             cloud.velocity[apex] = [0, 1].map(|k| v[k] - into * touch.normal[k]);
+            *momentum = [0, 1].map(|k| momentum[k] - draft.mass[apex] * into * touch.normal[k]);
             count += 1;
         }
     }
