@@ -31,7 +31,7 @@ pub struct VolumeBooks {
     pub drops: f64,
     /// The flow moved the nodes.
     pub flow: Account,
-    /// Boundary edges were collapsed and split.
+    /// Edges of the surface were collapsed and split, nodes landed on walls.
     pub management: Account,
     /// Surfaces crossed: what lay twice is counted once.
     pub overlap: Account,

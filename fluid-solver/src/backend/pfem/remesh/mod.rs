@@ -48,7 +48,8 @@ impl Remesher<2, 3> {
 
     /// The mesh of a cloud whose nodes were moved: on entry its cells are those before the move.
     ///
-    /// Σ m_i v_i over cells and drops (m_i a third of the cells around a node) is kept to round-off.
+    /// Σ m_i v_i over cells and drops (m_i a third of the cells around a node) is kept to round-off, but for what nodes
+    /// that land on a wall give to it.
     ///
     /// # Errors
     /// A place that is not finite.
@@ -62,7 +63,7 @@ impl Remesher<2, 3> {
     ) -> Result<Events, delaunay::Error> {
         let energy_before = energy(cloud);
         self.draft.read(cloud, size);
-        let momentum = transfer::momentum(&self.draft.mass, &cloud.velocity);
+        let mut momentum = transfer::momentum(&self.draft.mass, &cloud.velocity);
         let book = &mut books.volume;
 
         let moved = correction::enclosed(cloud, &self.draft);
@@ -80,7 +81,7 @@ impl Remesher<2, 3> {
         let mut events = Events { crossed, ..Events::default() };
         let recognised = self.fluid_volume();
         books.volume.overlap.add(recognised - restored);
-        self.topology(cloud, &mut books.volume, &mut events);
+        self.topology(cloud, walls, time, (&mut books.volume, &mut momentum), &mut events);
         let as_before =
             self.triangles.fluid_count() == cloud.cells.len() && !self.draft.edited && events.none();
         if !as_before || !self.still_delaunay(cloud) {
@@ -95,11 +96,21 @@ impl Remesher<2, 3> {
     }
 
     /// Merges and breaks.
-    fn topology(&mut self, cloud: &mut Cloud<2, 3>, book: &mut VolumeBooks, events: &mut Events) {
+    fn topology(
+        &mut self,
+        cloud: &mut Cloud<2, 3>,
+        walls: &[Wall<2>],
+        time: f64,
+        (book, momentum): (&mut VolumeBooks, &mut Vector<2>),
+        events: &mut Events,
+    ) {
         let (draft, triangles) = (&mut self.draft, &mut self.triangles);
         let (closed, gained) = topology::close_gaps(cloud, draft, triangles);
         let (filled, void) = topology::fill_small_voids(cloud, draft, triangles);
         book.merging.add(gained + void);
+        let (landed, pressed) = topology::land_on_walls(cloud, draft, triangles, walls, time, momentum);
+        book.management.add(pressed);
+        events.landed = landed;
         let (broken, lost) = topology::break_thin_cells(cloud, draft, triangles);
         let (released, unborn) = topology::release_droplets(cloud, draft, triangles);
         book.separation.add(-lost - unborn);

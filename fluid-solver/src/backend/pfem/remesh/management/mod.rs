@@ -2,7 +2,6 @@
 
 mod collapse;
 mod interior;
-mod landing;
 mod split;
 
 use super::draft::Draft;
@@ -11,15 +10,12 @@ use crate::backend::pfem::wall::Wall;
 
 /// Manages the nodes of the moved cloud: first those of the surface, then those inside.
 pub fn manage(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &[Wall<2>], time: f64) {
-    landing::land_on_walls(cloud, draft, walls, time);
     collapse::collapse_short_edges(cloud, draft, walls, time);
     interior::remove_close_nodes(cloud, draft);
     split::split_long_edges(cloud, draft, walls, time);
     interior::insert_between_far_nodes(cloud, draft);
 }
 
-/// A film between the surface and a wall thinner than this share of h is none.
-const FILM: f64 = 0.05;
 /// Edges shorter than this share of h on the surface become a node.
 pub const SHORTEST: f64 = 0.5;
 /// Edges longer than this share of h on the surface are split.

@@ -3,12 +3,14 @@
 mod absorption;
 mod closing;
 mod droplets;
+mod landing;
 mod separation;
 mod voids;
 
 pub use absorption::absorb_drops;
 pub use closing::close_gaps;
 pub use droplets::release_droplets;
+pub use landing::land_on_walls;
 pub use separation::break_thin_cells;
 pub use voids::fill_small_voids;
 
@@ -19,6 +21,8 @@ pub struct Events {
     pub closed: u32,
     /// Voids that were filled.
     pub filled: u32,
+    /// Nodes that landed on a wet wall.
+    pub landed: u32,
     /// Surfaces crossed.
     pub crossed: bool,
     /// Thin cells broken off.
@@ -32,7 +36,7 @@ pub struct Events {
 impl Events {
     /// Whether fluid met fluid: its velocity is not free of divergence then.
     pub fn impact(&self) -> bool {
-        self.closed > 0 || self.filled > 0 || self.crossed || self.absorbed > 0
+        self.closed > 0 || self.filled > 0 || self.landed > 0 || self.crossed || self.absorbed > 0
     }
 
     /// Whether nothing happened.
