@@ -17,14 +17,6 @@ pub struct Pfem {
     /// How the cells that are fluid are found between nodes that moved.
     #[serde(default)]
     pub recognition: Recognition,
-    /// Whether the surface is shifted, by at most a hundredth of a size a step, to give back the volume that remeshing
-    /// changed.
-    #[serde(default = "yes")]
-    pub volume_correction: bool,
-}
-
-fn yes() -> bool {
-    true
 }
 
 /// How the cells that are fluid are found between nodes that moved.
