@@ -23,8 +23,13 @@ pub use topology::Events;
 use super::cloud::{Cloud, OUTSIDE};
 use super::wall::Wall;
 use crate::element::simplex::Vector;
-use draft::{Draft, area};
+use draft::{Draft, area, height};
 use tessellation::Tessellation;
+
+/// Cells lower than this share of h are managed once more.
+const FLAT: f64 = 0.02;
+/// Passes at most.
+const PASSES: usize = 3;
 
 /// Finds the mesh of moved nodes; all but the rules is scratch.
 #[derive(Default)]
@@ -49,11 +54,39 @@ impl Remesher<2, 3> {
     /// The mesh of a cloud whose nodes were moved: on entry its cells are those before the move.
     ///
     /// Σ m_i v_i over cells and drops (m_i a third of the cells around a node) is kept to round-off, but for what nodes
-    /// that land on a wall give to it.
+    /// that land on a wall give to it. Events can leave nodes close together: then nodes are managed once more.
     ///
     /// # Errors
     /// A place that is not finite.
     pub fn remesh(
+        &mut self,
+        cloud: &mut Cloud<2, 3>,
+        walls: &[Wall<2>],
+        time: f64,
+        size: &TargetSize,
+        books: &mut Books<2>,
+    ) -> Result<Events, delaunay::Error> {
+        let mut events = self.pass(cloud, walls, time, size, books)?;
+        for _ in 1..PASSES {
+            // Nodal sizes are of the nodes there were.
+            if matches!(size, TargetSize::Nodal(_)) || !self.has_flat_cells(cloud) {
+                break;
+            }
+            events = events.and(self.pass(cloud, walls, time, size, books)?);
+        }
+        cloud.struck = events.impact();
+        Ok(events)
+    }
+
+    /// Whether a cell is so flat that no step could move it.
+    fn has_flat_cells(&self, cloud: &Cloud<2, 3>) -> bool {
+        cloud
+            .cells
+            .iter()
+            .any(|cell| height(&cloud.vertices(cell)) < FLAT * self.draft.size[cell[0] as usize])
+    }
+
+    fn pass(
         &mut self,
         cloud: &mut Cloud<2, 3>,
         walls: &[Wall<2>],
@@ -91,7 +124,6 @@ impl Remesher<2, 3> {
         books.volume.cells = volume(cloud);
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));
-        cloud.struck = events.impact();
         Ok(events)
     }
 

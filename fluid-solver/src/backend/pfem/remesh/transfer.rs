@@ -15,11 +15,8 @@ pub fn momentum<const D: usize>(volumes: &[f64], velocity: &[Vector<D>]) -> Vect
     sum
 }
 
-/// The nodes that take what is missing hold at least this share of the volume, lest few become fast.
-const LEAST: f64 = 0.01;
-
 /// Gives what the new nodal volumes miss of the momentum `before` to the nodes whose volume changed and that touch no
-/// wall, as one velocity for all of them; to all nodes that touch no wall if those are few.
+/// wall, as one velocity for all of them.
 ///
 /// `mass` are the nodal volumes before.
 pub fn keep_momentum<const D: usize, const N: usize>(

@@ -39,6 +39,19 @@ impl Events {
         self.closed > 0 || self.filled > 0 || self.landed > 0 || self.crossed || self.absorbed > 0
     }
 
+    /// These and others.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            closed: self.closed + other.closed,
+            filled: self.filled + other.filled,
+            landed: self.landed + other.landed,
+            crossed: self.crossed || other.crossed,
+            broken: self.broken + other.broken,
+            released: self.released + other.released,
+            absorbed: self.absorbed + other.absorbed,
+        }
+    }
+
     /// Whether nothing happened.
     pub fn none(&self) -> bool {
         *self == Self::default()
