@@ -32,8 +32,7 @@ pub fn keep_momentum<const D: usize, const N: usize>(
     for strict in [true, false] {
         let chosen = |node: usize| free(node) && (!strict || changed(node));
         let sum: f64 = (0..volumes.len()).filter(|&node| chosen(node)).map(|node| volumes[node]).sum();
-        let least = if strict { LEAST * volumes.iter().sum::<f64>() } else { 0.0 };
-        if sum > least {
+        if sum > 0.0 {
             let given: Vector<D> = std::array::from_fn(|k| (before[k] - after[k]) / sum);
             for node in (0..volumes.len()).filter(|&node| chosen(node)) {
                 for k in 0..D {
