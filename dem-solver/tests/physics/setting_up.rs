@@ -63,7 +63,7 @@ struct Folder(PathBuf);
 impl Folder {
     fn new(name: &str) -> Self {
         let path = std::env::temp_dir().join(format!("dem-solver-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
+        fs::create_dir(&path).expect("no two tests share a folder");
         fs::write(path.join("grains.csv"), "x[m],y[m],z[m],vx[m/s],diameter[m]\n0.9,0.9,0.9,0.5,4e-3\n")
             .unwrap();
         Self(path)
@@ -137,7 +137,7 @@ fn what_cannot_be_is_refused_with_its_key() {
 
 #[test]
 fn the_laws_beside_normal_and_tangential_force_come_with_their_numbers() {
-    let folder = Folder::new("laws");
+    let folder = Folder::new("laws-beside");
     let set_up = |laws: &str, said: &str| {
         let text = CASE
             .replace("normal-law = \"hertz\"", &format!("normal-law = \"hertz\"\n{laws}"))
