@@ -1,6 +1,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use case_io::document::{Case, Overrides};
 use dem_solver::contact::cohesion::CohesionLaw;
@@ -62,8 +63,10 @@ struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("dem-solver-{name}-{}", std::process::id()));
-        fs::create_dir(&path).expect("no two tests share a folder");
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("dem-solver-{name}-{}-{count}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
         fs::write(path.join("grains.csv"), "x[m],y[m],z[m],vx[m/s],diameter[m]\n0.9,0.9,0.9,0.5,4e-3\n")
             .unwrap();
         Self(path)
@@ -137,7 +140,7 @@ fn what_cannot_be_is_refused_with_its_key() {
 
 #[test]
 fn the_laws_beside_normal_and_tangential_force_come_with_their_numbers() {
-    let folder = Folder::new("laws-beside");
+    let folder = Folder::new("laws");
     let set_up = |laws: &str, said: &str| {
         let text = CASE
             .replace("normal-law = \"hertz\"", &format!("normal-law = \"hertz\"\n{laws}"))
