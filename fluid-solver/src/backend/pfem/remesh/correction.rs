@@ -55,10 +55,16 @@ pub fn restore(
         return 0.0;
     }
     let shift = (RATE * missing / sum).clamp(-LARGEST * size, LARGEST * size);
-    for (x, g) in cloud.place.iter_mut().zip(gradient) {
+    for (node, g) in gradient.iter().enumerate() {
         let norm = dot(g, g).sqrt();
         if norm > 1e-9 * size {
-            *x = [0, 1].map(|k| x[k] + shift * g[k] / norm);
+            let place = [0, 1].map(|k| cloud.place[node][k] + shift * g[k] / norm);
+            let leaves = |(index, wall): (usize, &Wall<2>)| {
+                !cloud.contacts[node].contains(index) && wall.touch(&place, time).gap <= 0.0
+            };
+            if !walls.iter().enumerate().any(leaves) {
+                cloud.place[node] = place;
+            }
         }
     }
     shift / size
