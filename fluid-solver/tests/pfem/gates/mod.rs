@@ -1,0 +1,6 @@
+//! Fluid that enters and leaves.
+
+mod channel;
+mod jet;
+mod scene;
+mod tank;
