@@ -185,7 +185,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
     }
 
     fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Attempt, FluidError> {
-        gate::prescribe(&mut self.setting.walls, &self.state.cloud, step.time + 0.5 * step.length);
+        gate::prescribe(&mut self.setting.walls, &self.state.cloud, step);
         let Setting { walls, acceleration, response, .. } = &self.setting;
         let suspension = self.grains.react(step, reactions).filter(|_| *response == Response::TwoWay);
         let forces = Forces { gravity: *acceleration, grains: suspension };

@@ -1,6 +1,6 @@
 //! Fluid that enters and leaves.
 
-mod channel;
 mod jet;
+mod pipe;
 mod scene;
 mod tank;

@@ -21,7 +21,6 @@ normal = [1, 0]
 velocity = { expression = ["0.5*min(t/0.5, 1)", "0"] }"#;
     let mut tank = fluid("filling", 2, tables);
     advance(&mut *tank, 5e-3, [0.0, 2.0]);
-    println!("{:?}", tank.statistics(0.0));
     let entered = 0.16 * 0.5 * (0.25 + 1.5);
     let found = value(&*tank, "volume-entered[m^3]");
     assert!((found - entered).abs() <= 1e-6, "{found}");
@@ -48,7 +47,6 @@ name = "floor"
 plane = { point = ["0 m", "0 m"], normal = [0, 1] }"#;
     let mut tank = fluid("emptying", 2, &format!("body-force = [\"3 m/s^2\", \"0 m/s^2\"]\n{tables}"));
     advance(&mut *tank, 5e-3, [0.0, 3.0]);
-    println!("{:?}", tank.statistics(0.0));
     assert_eq!(value(&*tank, "nodes[-]"), 0.0);
     assert!((value(&*tank, "volume-left[m^3]") - 0.1).abs() <= 1e-3);
 }

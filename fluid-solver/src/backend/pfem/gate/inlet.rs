@@ -1,5 +1,6 @@
 //! The nodes in inlets.
 
+use crate::backend::Step;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::{Contacts, Inflow, Wall, inlet_of, inlet_velocity};
 use crate::element::simplex::{Vector, dot, volume_and_areas};
@@ -11,7 +12,7 @@ struct Flux {
     area: f64,
     /// ∫u·n dA over those, u the stated velocity (m³/s).
     stated: f64,
-    /// ∫u·n dA over all faces with a node in it, u the velocity of the nodes in it, zero at others (m³/s).
+    /// ∫u·n dA over all faces at walls with a node in it, u the velocity of the nodes in it, zero at others (m³/s).
     given: f64,
 }
 
@@ -23,7 +24,7 @@ impl Flux {
 }
 
 /// Gives the nodes in inlets their share of the stated velocity, such that ∫u·n dA over the boundary is the rate of the inlet.
-pub fn prescribe<const D: usize, const N: usize>(walls: &mut [Wall<D>], cloud: &Cloud<D, N>, time: f64) {
+pub fn prescribe<const D: usize, const N: usize>(walls: &mut [Wall<D>], cloud: &Cloud<D, N>, step: Step) {
     let inflows = |walls: &mut [Wall<D>], share: &dyn Fn(usize, &Inflow<D>) -> f64| {
         for (index, wall) in walls.iter_mut().enumerate() {
             if let Some(inflow) = &mut wall.inflow {
@@ -35,7 +36,7 @@ pub fn prescribe<const D: usize, const N: usize>(walls: &mut [Wall<D>], cloud: &
         return;
     }
     inflows(walls, &|_, _| 1.0);
-    let fluxes = fluxes(cloud, walls, time);
+    let fluxes = fluxes(cloud, walls, step);
     inflows(walls, &|index, inflow| {
         let flux = &fluxes[index];
         if flux.given == 0.0 { 1.0 } else { flux.rate(inflow) / flux.given }
@@ -43,8 +44,8 @@ pub fn prescribe<const D: usize, const N: usize>(walls: &mut [Wall<D>], cloud: &
 }
 
 /// Volume that comes in through all inlets (m³/s).
-pub fn rate<const D: usize, const N: usize>(cloud: &Cloud<D, N>, walls: &[Wall<D>], time: f64) -> f64 {
-    let fluxes = fluxes(cloud, walls, time);
+pub fn rate<const D: usize, const N: usize>(cloud: &Cloud<D, N>, walls: &[Wall<D>], step: Step) -> f64 {
+    let fluxes = fluxes(cloud, walls, step);
     walls.iter().zip(&fluxes).filter_map(|(wall, flux)| Some(flux.rate(wall.inflow.as_ref()?))).sum()
 }
 
@@ -61,21 +62,29 @@ pub fn put_back<const D: usize, const N: usize>(
     }
 }
 
-/// The fluxes of all walls that are inlets.
+/// The fluxes in the middle of a step of all walls that are inlets. Nodes in inlets are put back when the others have moved: faces
+/// are where v_n takes these.
 fn fluxes<const D: usize, const N: usize>(
     cloud: &Cloud<D, N>,
     walls: &[Wall<D>],
-    time: f64,
+    step: Step,
 ) -> [Flux; Contacts::MOST] {
     let mut fluxes = [Flux::default(); Contacts::MOST];
+    let time = step.time + 0.5 * step.length;
+    let end = |node: usize| match inlet_of(walls, cloud.contacts[node]) {
+        Some(_) => cloud.place[node],
+        None => std::array::from_fn(|k| cloud.place[node][k] + step.length * cloud.velocity[node][k]),
+    };
     for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
         for opposite in (0..N).filter(|&i| around[i] == OUTSIDE) {
             let face = || (0..N).filter(|&i| i != opposite).map(|i| cell[i] as usize);
-            if face().all(|node| inlet_of(walls, cloud.contacts[node]).is_none()) {
+            let common = face().map(|node| cloud.contacts[node]).reduce(Contacts::common);
+            let is_free = common.is_none_or(Contacts::is_empty);
+            if is_free || face().all(|node| inlet_of(walls, cloud.contacts[node]).is_none()) {
                 continue;
             }
             // V∇N of the node opposite to a face is a D-th of its area, inwards.
-            let inwards = volume_and_areas(&cloud.vertices(cell)).1[opposite];
+            let inwards = volume_and_areas(&cell.map(|node| end(node as usize))).1[opposite];
             for node in face() {
                 let (x, contacts) = (&cloud.place[node], cloud.contacts[node]);
                 let Some((index, inflow)) = inlet_of(walls, contacts) else { continue };

@@ -46,7 +46,7 @@ impl<const D: usize> Gates<D> {
             solution.advance(cloud, step);
             return Passed::default();
         }
-        let rate = inlet::rate(cloud, walls, step.time + 0.5 * step.length);
+        let rate = inlet::rate(cloud, walls, step);
         self.before.clone_from(&cloud.place);
         solution.advance(cloud, step);
         let moved = Amount::of(cloud, acceleration);
