@@ -36,11 +36,7 @@ impl Strain {
         let volume = rate[0];
         let regular = regular_volume(D) * longest_edge(corners).powi(D as i32);
         let sliver = SLIVER[D - 2] * regular;
-        let least = if volume < sliver {
-            -sliver
-        } else {
-            self.least * volume.min(self.thin * regular)
-        };
+        let least = if volume < sliver { -sliver } else { self.least * volume.min(self.thin * regular) };
         let bounds = (least, volume + self.most * regular);
         let value = |t: f64| rate.iter().rev().fold(0.0, |sum, c| sum * t + c);
         let within = |t: f64| (bounds.0..=bounds.1).contains(&value(t));

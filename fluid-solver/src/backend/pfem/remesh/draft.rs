@@ -1,7 +1,7 @@
 //! The cloud while it is edited: its surface, and what is known of its nodes beside their state.
 
 use super::size::TargetSize;
-use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
+use crate::backend::pfem::cloud::{Cloud, OUTSIDE, retain};
 use crate::backend::pfem::wall::Contacts;
 use crate::element::simplex::{Vector, distance, volume_and_gradients};
 
@@ -150,33 +150,17 @@ impl<const D: usize> Draft<D> {
         if !self.removed.contains(&true) {
             return;
         }
-        self.place_of.clear();
-        let mut kept = 0;
-        for &removed in &self.removed {
-            self.place_of.push(if removed { NONE } else { kept });
-            kept += u32::from(!removed);
-        }
         let removed = std::mem::take(&mut self.removed);
-        retain(&removed, &mut cloud.place);
-        retain(&removed, &mut cloud.velocity);
-        retain(&removed, &mut cloud.pressure);
-        retain(&removed, &mut cloud.contacts);
-        retain(&removed, &mut cloud.drop);
-        retain(&removed, &mut cloud.birth);
+        cloud.remove(&removed, &mut self.place_of);
         retain(&removed, &mut self.size);
         retain(&removed, &mut self.mass);
         self.removed = removed;
         self.removed.clear();
-        self.removed.resize(kept as usize, false);
-        for node in self.edges.iter_mut().flatten().chain(cloud.cells.iter_mut().flatten()) {
+        self.removed.resize(cloud.place.len(), false);
+        for node in self.edges.iter_mut().flatten() {
             *node = self.place_of[*node as usize];
         }
     }
-}
-
-fn retain<T>(removed: &[bool], values: &mut Vec<T>) {
-    let mut gone = removed.iter();
-    values.retain(|_| gone.next() == Some(&false));
 }
 
 /// Volume of each node: its share of its cells, and its drop.

@@ -3,7 +3,7 @@
 use super::super::correction::{LARGEST, RATE};
 use super::super::draft::Draft;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::{Contacts, Wall};
+use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
 use crate::element::simplex::{Vector, difference, dot};
 
 /// Moves every node i of the free surface by λ G_i/|G_i|, G_i = ∂V/∂x_i (along the walls that it touches), with
@@ -51,6 +51,9 @@ pub fn restore(
 
 /// The part of a vector along all walls that a node touches.
 fn along_walls(g: &Vector<3>, contacts: Contacts, x: &Vector<3>, walls: &[Wall<3>], time: f64) -> Vector<3> {
+    if inlet_of(walls, contacts).is_some() {
+        return [0.0; 3];
+    }
     let mut normals = contacts.iter().map(|wall| walls[wall].touch(x, time).normal);
     match (normals.next(), normals.next(), normals.next()) {
         (None, ..) => *g,
