@@ -17,7 +17,7 @@ mod transfer;
 pub use books::{Account, Books, Energy, EnergyBooks, VolumeBooks, energy, volume};
 pub use recognition::Recognition;
 pub use size::TargetSize;
-pub use space::SpaceRemesher;
+pub use space::{SpaceRemesher, Spent};
 pub use topology::Events;
 
 use super::cloud::{Cloud, OUTSIDE};
@@ -39,7 +39,8 @@ pub struct Remesher<const D: usize, const N: usize> {
     draft: Draft,
     triangles: Tessellation,
     gradient: Vec<Vector<D>>,
-    volumes: Vec<f64>,
+    cell_volumes: Vec<f64>,
+    node_volumes: Vec<f64>,
     cells: Vec<[u32; N]>,
     neighbours: Vec<[u32; N]>,
     number: Vec<u32>,
@@ -120,8 +121,8 @@ impl Remesher<2, 3> {
         if !as_before || !self.still_delaunay(cloud) {
             self.take_cells(cloud);
         }
-        transfer::keep_momentum(cloud, &self.draft.mass, momentum, &mut self.volumes);
-        books.volume.cells = volume(cloud);
+        books.volume.cells = books::volumes(cloud, &mut self.cell_volumes, &mut self.node_volumes);
+        transfer::keep_momentum(cloud, &self.draft.mass, momentum, &self.node_volumes);
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));
         Ok(events)

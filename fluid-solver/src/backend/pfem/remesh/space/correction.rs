@@ -2,6 +2,7 @@
 
 use super::super::correction::{LARGEST, RATE};
 use super::super::draft::Draft;
+use super::surface::cross;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::{Contacts, Wall};
 use crate::element::simplex::{Vector, difference, dot};
@@ -32,9 +33,11 @@ pub fn restore(
     }
     let (mut sum, mut size) = (0.0, f64::INFINITY);
     for (node, g) in gradient.iter_mut().enumerate() {
-        *g = along_walls(g, cloud.contacts[node], &cloud.place[node], walls, time);
-        sum += dot(g, g).sqrt();
         size = size.min(draft.size[node]);
+        if draft.exposed[node] {
+            *g = along_walls(g, cloud.contacts[node], &cloud.place[node], walls, time);
+            sum += dot(g, g).sqrt();
+        }
     }
     let least = 1e-9 * size * size;
     if sum < least {
@@ -65,9 +68,4 @@ fn along_walls(g: &Vector<3>, contacts: Contacts, x: &Vector<3>, walls: &[Wall<3
         }
         _ => [0.0; 3],
     }
-}
-
-/// a × b.
-pub fn cross(a: &Vector<3>, b: &Vector<3>) -> Vector<3> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
