@@ -38,12 +38,19 @@ fn run(cells: usize, steps: usize) -> Result<(), Box<dyn std::error::Error + Sen
     let water = Fluid { density: 1000.0, rheology, bulk_modulus: None };
     let mut flow = Flow::<3, 4>::new(water, Control { tolerance: 1e-6, ..Control::default() });
     let (mut remesher, mut books) = (SpaceRemesher::default(), Books::start(&cloud));
-    println!("time [s]  nodes   cells    flow  remeshing = management + mesh + recognition + settling + transfer [us per node]");
+    println!(
+        "time [s]  nodes   cells    flow  remeshing = management + mesh + recognition + settling + transfer [us per node]"
+    );
     let (mut time, mut flowing, mut nodes, mut before) = (0.0, 0.0, 0, Spent::default());
     for step in 1..=steps {
         let mut clock = ThreadClock::start();
         // A quarter of a cell at the speed of the fall.
-        time += advance(&mut flow, &mut cloud, &walls, Step { time, length: 0.25 * h / (2.0 * G * SIDE).sqrt() })?;
+        time += advance(
+            &mut flow,
+            &mut cloud,
+            &walls,
+            Step { time, length: 0.25 * h / (2.0 * G * SIDE).sqrt() },
+        )?;
         flowing += clock.lap();
         nodes += cloud.place.len();
         remesher.remesh(&mut cloud, &walls, time, &TargetSize::Constant(h), &mut books)?;

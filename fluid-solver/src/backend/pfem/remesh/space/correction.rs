@@ -2,9 +2,10 @@
 
 use super::super::correction::{LARGEST, RATE};
 use super::super::draft::Draft;
+use super::freedom::along_walls;
 use super::surface::cross;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::{Contacts, Wall};
+use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::{Vector, difference, dot};
 
 /// Moves every node i of the free surface by λ G_i/|G_i|, G_i = ∂V/∂x_i (along the walls that it touches), with
@@ -49,23 +50,5 @@ pub fn restore(
         if norm > least {
             *x = std::array::from_fn(|k| x[k] + shift * g[k] / norm);
         }
-    }
-}
-
-/// The part of a vector along all walls that a node touches.
-fn along_walls(g: &Vector<3>, contacts: Contacts, x: &Vector<3>, walls: &[Wall<3>], time: f64) -> Vector<3> {
-    let mut normals = contacts.iter().map(|wall| walls[wall].touch(x, time).normal);
-    match (normals.next(), normals.next(), normals.next()) {
-        (None, ..) => *g,
-        (Some(n), None, _) => {
-            let into = dot(g, &n);
-            std::array::from_fn(|k| g[k] - into * n[k])
-        }
-        (Some(n), Some(m), None) => {
-            let edge = cross(&n, &m);
-            let share = dot(g, &edge) / dot(&edge, &edge).max(f64::MIN_POSITIVE);
-            edge.map(|e| share * e)
-        }
-        _ => [0.0; 3],
     }
 }

@@ -2,7 +2,9 @@
 
 use super::super::draft::Draft;
 use super::super::management::{CLOSEST, CLOSEST_TO_SURFACE, FARTHEST, LONGEST, SHORTEST};
-use super::surface::Edits;
+use super::fans::Fans;
+use super::freedom::{along_walls, behind, onto_walls};
+use super::surface::{Edits, cross};
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::{Contacts, Wall};
 use crate::element::simplex::{Vector, difference, distance, dot, volume_and_areas};
@@ -14,6 +16,7 @@ pub struct Management {
     far: Vec<Far>,
     settled: Vec<bool>,
     edits: Edits,
+    fans: Fans,
 }
 
 /// A node too close to another.
@@ -32,6 +35,11 @@ struct Far {
     surface: bool,
 }
 
+/// A node that sees less than this many h² of surface is not shifted to keep the volume.
+const FACING: f64 = 0.1;
+/// Nor is one by more than this many h.
+const SHIFT: f64 = 0.25;
+
 /// Pairs of corners of a cell.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
@@ -46,6 +54,7 @@ impl Management {
         self.settled.clear();
         self.settled.resize(cloud.place.len(), false);
         self.edits.begin(cloud.place.len());
+        self.fans.read(&draft.edges, cloud.place.len());
         self.remove_close(cloud, draft, walls, time);
         self.insert_between_far(cloud, draft, walls, time);
         self.edits.apply(&mut draft.edges);
@@ -112,7 +121,7 @@ impl Management {
 
     /// Takes nodes away that are too close, closest first.
     fn remove_close(&mut self, cloud: &mut Cloud<3, 4>, draft: &mut Draft<3>, walls: &[Wall<3>], time: f64) {
-        let Self { close, settled, edits, .. } = self;
+        let Self { close, settled, edits, fans, .. } = self;
         let order = |p: &Close, q: &Close| {
             p.distance.total_cmp(&q.distance).then((p.goes, p.stays).cmp(&(q.goes, q.stays)))
         };
@@ -128,13 +137,20 @@ impl Management {
                 continue;
             }
             if surface {
-                if cloud.contacts[gone] == cloud.contacts[left] {
+                let contacts = cloud.contacts[left];
+                if cloud.contacts[gone] == contacts {
                     let middle = |values: &[Vector<3>]| {
                         std::array::from_fn(|k| 0.5 * (values[gone][k] + values[left][k]))
                     };
-                    let place = middle(&cloud.place);
                     cloud.velocity[left] = middle(&cloud.velocity);
-                    cloud.place[left] = onto_walls(cloud.contacts[left], place, walls, time);
+                    // The faces still have the old places.
+                    let middle = onto_walls(contacts, middle(&cloud.place), walls, time);
+                    cloud.place[left] =
+                        neutral(cloud, draft, (fans, edits), [goes, stays], middle, walls, time);
+                } else {
+                    let place = cloud.place[left];
+                    cloud.place[left] =
+                        neutral(cloud, draft, (fans, edits), [goes, stays], place, walls, time);
                 }
                 edits.collapse(goes, stays);
             }
@@ -162,9 +178,13 @@ impl Management {
             }
             (settled[a as usize], settled[b as usize]) = (true, true);
             let common = cloud.contacts[a as usize].common(cloud.contacts[b as usize]);
-            let contacts = if surface { common } else { Contacts::default() };
+            let mut contacts = if surface { common } else { Contacts::default() };
             let node = draft.add_between(cloud, a, b, contacts);
-            cloud.place[node as usize] = onto_walls(contacts, cloud.place[node as usize], walls, time);
+            let place = &mut cloud.place[node as usize];
+            let met: Vec<usize> = behind(contacts, place, walls, time).collect();
+            met.iter().for_each(|&wall| contacts.insert(wall));
+            *place = onto_walls(contacts, *place, walls, time);
+            cloud.contacts[node as usize] = contacts;
             draft.exposed.push(surface);
             if surface {
                 edits.split([a, b], node);
@@ -173,11 +193,70 @@ impl Management {
     }
 }
 
-/// The nearest place of the walls that a node touches.
-fn onto_walls(contacts: Contacts, mut x: Vector<3>, walls: &[Wall<3>], time: f64) -> Vector<3> {
-    for wall in contacts.iter() {
-        let touch = walls[wall].touch(&x, time);
-        x = std::array::from_fn(|k| x[k] - touch.gap * touch.normal[k]);
+/// Where near x a node keeps the volume if the two ends of an edge of the surface become that node: x + s A, where A is half
+/// the area of what it sees, along the walls that the end that stays touches; x, where that is too far away or behind a
+/// wall.
+fn neutral(
+    cloud: &Cloud<3, 4>,
+    draft: &Draft<3>,
+    (fans, edits): (&Fans, &Edits),
+    [goes, stays]: [u32; 2],
+    x: Vector<3>,
+    walls: &[Wall<3>],
+    time: f64,
+) -> Vector<3> {
+    let contacts = cloud.contacts[stays as usize];
+    let (mut lost, mut area) = (0.0, [0.0; 3]);
+    for (end, other) in [(goes, stays), (stays, goes)] {
+        for &face in fans.around(end) {
+            let face = draft.edges[face as usize].map(|node| edits.heir(node));
+            let Some(k) = face.iter().position(|&node| node == end) else { continue };
+            let [near, a, b] = [0, 1, 2].map(|i| difference(&cloud.place[face[(k + i) % 3] as usize], &x));
+            let normal = cross(&a, &b);
+            let shared = face.contains(&other);
+            // A face of both is met twice and vanishes.
+            lost += dot(&near, &normal) * if shared { 0.5 } else { 1.0 };
+            if !shared {
+                area = std::array::from_fn(|k| area[k] + normal[k]);
+            }
+        }
     }
-    x
+    let along = along_walls(&area, contacts, &x, walls, time);
+    let h = draft.size_between(goes, stays);
+    let square = dot(&along, &along);
+    let share = lost / square;
+    if square.sqrt() < FACING * h * h || share.abs() * square.sqrt() > SHIFT * h {
+        return x;
+    }
+    let place = std::array::from_fn(|k| x[k] + share * along[k]);
+    let place = onto_walls(contacts, place, walls, time);
+    if behind(contacts, &place, walls, time).next().is_some() { x } else { place }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::size::TargetSize;
+    use super::super::surface;
+    use super::*;
+    use crate::backend::pfem::body::Body;
+
+    #[test]
+    fn an_edge_of_a_ball_that_becomes_a_node_takes_no_volume() {
+        let mut cloud = Body::<3, 4>::of_sphere([0.0; 3], 1.0, 0.25).unwrap().cloud();
+        let mut draft = Draft::<3>::default();
+        let mut management = Management::default();
+        draft.read_sizes(&cloud, &TargetSize::Constant(0.25));
+        surface::read(&cloud, &mut draft);
+        let (faces, before) = (draft.edges.len(), surface::enclosed(&cloud, &draft));
+        // A short edge.
+        let [a, b, _] = draft.edges[0].map(|node| node as usize);
+        let drawn = std::array::from_fn(|k| 0.7 * cloud.place[b][k] + 0.3 * cloud.place[a][k]);
+        let radius = dot(&drawn, &drawn).sqrt();
+        cloud.place[a] = drawn.map(|x: f64| x / radius);
+        let moved = surface::enclosed(&cloud, &draft);
+        assert!((moved - before).abs() > 1e-5);
+        management.manage(&mut cloud, &mut draft, &[], 0.0);
+        assert_eq!(draft.edges.len(), faces - 2);
+        assert!((surface::enclosed(&cloud, &draft) - moved).abs() < 1e-14);
+    }
 }

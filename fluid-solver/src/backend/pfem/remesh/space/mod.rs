@@ -4,6 +4,8 @@
 //! have passed each other: what lies twice is counted once.
 
 mod correction;
+mod fans;
+mod freedom;
 mod management;
 mod patches;
 mod recognition;

@@ -56,6 +56,11 @@ impl Edits {
         self.any = false;
     }
 
+    /// The node that a node became.
+    pub fn heir(&self, node: u32) -> u32 {
+        self.heir[node as usize]
+    }
+
     /// One node became another.
     pub fn collapse(&mut self, gone: u32, left: u32) {
         self.heir[gone as usize] = left;
