@@ -41,16 +41,13 @@ fn run(cells: usize, steps: usize) -> Result<(), Box<dyn std::error::Error + Sen
     println!(
         "time [s]  nodes   cells    flow  remeshing = management + mesh + recognition + settling + transfer [us per node]"
     );
-    let (mut time, mut flowing, mut nodes, mut before) = (0.0, 0.0, 0, Spent::default());
+    let (mut time, mut halved, mut flowing, mut nodes, mut before) = (0.0, 0, 0.0, 0, Spent::default());
     for step in 1..=steps {
         let mut clock = ThreadClock::start();
         // A quarter of a cell at the speed of the fall.
-        time += advance(
-            &mut flow,
-            &mut cloud,
-            &walls,
-            Step { time, length: 0.25 * h / (2.0 * G * SIDE).sqrt() },
-        )?;
+        let at = Step { time, length: 0.25 * h / (2.0 * G * SIDE).sqrt() };
+        let (length, refused) = advance(&mut flow, &mut cloud, &walls, at)?;
+        (time, halved) = (time + length, halved + refused);
         flowing += clock.lap();
         nodes += cloud.place.len();
         remesher.remesh(&mut cloud, &walls, time, &TargetSize::Constant(h), &mut books)?;
@@ -58,7 +55,7 @@ fn run(cells: usize, steps: usize) -> Result<(), Box<dyn std::error::Error + Sen
             let spent = remesher.spent;
             let each = |seconds: f64| 1e6 * seconds / nodes as f64;
             println!(
-                "{time:.4} {:>9} {:>8} {:>6.1} {:>6.2} = {:.2} + {:.2} + {:.2} + {:.2} + {:.2}",
+                "{time:.4} {:>11} {:>8} {halved:>6} | {:.1}, {:.2} = {:.2} + {:.2} + {:.2} + {:.2} + {:.2}",
                 cloud.place.len(),
                 cloud.cells.len(),
                 each(flowing),
@@ -69,30 +66,34 @@ fn run(cells: usize, steps: usize) -> Result<(), Box<dyn std::error::Error + Sen
                 each(spent.settling - before.settling),
                 each(spent.transfer - before.transfer),
             );
-            (flowing, nodes, before) = (0.0, 0, spent);
+            (halved, flowing, nodes, before) = (0, 0.0, 0, spent);
         }
     }
-    println!("volume in error by {:.1e}", books.volume.missing() / books.volume.target);
+    println!("volume in error by {:.1e}", -books.volume.missing() / books.volume.target);
     Ok(())
 }
 
-/// Solves a step, shorter where it would turn a cell over, and moves the nodes; returns its length (s).
+/// Solves a step, shorter where it would turn a cell over, and moves the nodes; returns its length (s) and how often it was
+/// refused.
 fn advance(
     flow: &mut Flow<3, 4>,
     cloud: &mut Cloud<3, 4>,
     walls: &[Wall<3>],
     mut step: Step,
-) -> Result<f64, FlowFault> {
+) -> Result<(f64, usize), FlowFault> {
     let gravity = Forces { gravity: [0.0, 0.0, -G], grains: None };
+    let mut refused = 0;
     loop {
         match flow.solve(cloud, walls, step, &gravity) {
             Ok(solution) => {
                 solution.advance(cloud, step);
-                return Ok(step.length);
+                return Ok((step.length, refused));
             }
             Err(FlowFault::Inverted { bound, .. }) => step.length = bound.min(0.5 * step.length),
+            Err(FlowFault::NotConverged { .. }) if refused < 20 => step.length *= 0.5,
             Err(fault) => return Err(fault),
         }
+        refused += 1;
     }
 }
 

@@ -1,7 +1,7 @@
 //! Nodes come and go so that neighbours stand about h apart.
 
 use super::super::draft::Draft;
-use super::super::management::{CLOSEST, CLOSEST_TO_SURFACE, FARTHEST, LONGEST, SHORTEST};
+use super::super::management::{CLOSEST, CLOSEST_TO_SURFACE, SHORTEST};
 use super::fans::Fans;
 use super::freedom::{along_walls, behind, onto_walls};
 use super::surface::{Edits, cross};
@@ -35,6 +35,10 @@ struct Far {
     surface: bool,
 }
 
+/// Edges longer than this share of h on the surface are split: the diagonals of squares are not.
+const LONGEST: f64 = 1.6;
+/// Inner edges longer than this share of h get a node: the diagonals of cubes do not.
+const FARTHEST: f64 = 1.9;
 /// A node that sees less than this many h² of surface is not shifted to keep the volume.
 const FACING: f64 = 0.1;
 /// Nor is one by more than this many h.
