@@ -39,7 +39,7 @@ fn run(cells: usize, steps: usize) -> Result<(), Box<dyn std::error::Error + Sen
     let mut flow = Flow::<3, 4>::new(water, Control { tolerance: 1e-6, ..Control::default() });
     let (mut remesher, mut books) = (SpaceRemesher::default(), Books::start(&cloud));
     println!(
-        "time [s]  nodes   cells    flow  remeshing = management + mesh + recognition + settling + transfer [us per node]"
+        "time [s], nodes, cells, halved steps | us per node: flow, remeshing = management + mesh + recognition + settling + transfer"
     );
     let (mut time, mut halved, mut flowing, mut nodes, mut before) = (0.0, 0, 0.0, 0, Spent::default());
     for step in 1..=steps {
