@@ -23,6 +23,7 @@ pub use topology::Events;
 use super::cloud::{Cloud, OUTSIDE};
 use super::wall::Wall;
 use crate::element::simplex::Vector;
+use books::{kinetic_energy, volumes};
 use draft::{Draft, area, height};
 use tessellation::Tessellation;
 
@@ -121,8 +122,12 @@ impl Remesher<2, 3> {
         if !as_before || !self.still_delaunay(cloud) {
             self.take_cells(cloud);
         }
-        books.volume.cells = books::volumes(cloud, &mut self.cell_volumes, &mut self.node_volumes);
+        books.volume.cells = volumes(cloud, &mut self.cell_volumes, &mut self.node_volumes);
         transfer::keep_momentum(cloud, &self.draft.mass, momentum, &self.node_volumes);
+        if events.impact() {
+            let surplus = kinetic_energy(cloud, &self.cell_volumes) - energy_before.kinetic;
+            transfer::take_surplus(cloud, &self.draft.mass, &self.node_volumes, surplus);
+        }
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));
         Ok(events)

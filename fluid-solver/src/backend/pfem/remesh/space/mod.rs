@@ -112,6 +112,10 @@ impl SpaceRemesher {
             events.crossed = overlap > BLOW * smallest.powi(3);
         }
         transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);
+        if events.impact() {
+            let surplus = kinetic_energy(cloud, cell_volumes) - energy_before.kinetic;
+            transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
+        }
         books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
         cloud.struck = events.impact();
         spent.transfer += clock.lap();
