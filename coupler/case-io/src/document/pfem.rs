@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::boundary::BoundaryVelocity;
 use super::quantity::Length;
+use super::refinement::Refinement;
 use super::region::{Region, SphereRegion};
 use super::vector::Bounds;
 
@@ -17,6 +18,11 @@ pub struct Pfem {
     /// How the cells that are fluid are found between nodes that moved.
     #[serde(default)]
     pub recognition: Recognition,
+    /// Where cells are finer than `size`.
+    #[serde(default)]
+    pub refine: Vec<Refinement>,
+    /// What the size of cells gains per way from where they are fine; default 0.3.
+    pub growth: Option<f64>,
 }
 
 /// How the cells that are fluid are found between nodes that moved.

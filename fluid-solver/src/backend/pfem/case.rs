@@ -5,7 +5,7 @@ use super::body::Body;
 use super::cloud::Cloud;
 use super::flow::{self, Control, Flow};
 use super::gate::{self, Gates, Opening};
-use super::remesh::{Recognition, Remesher, SpaceRemesher, TargetSize};
+use super::remesh::{Grading, Near, Recognition, Remesher, Source, SpaceRemesher, TargetSize};
 use super::renewal::Renewal;
 use super::wall::{Wall, refuse_gaps, walls};
 use crate::backend::{FluidBackend, Response};
@@ -21,6 +21,8 @@ use case_io::document::{self, Case, Dimension, Fluid, MeshSource, Region};
 const ALPHA: f64 = 1.25;
 /// A node this near to a wall touches it, in sizes; nearer to another node, both are one.
 const TOUCHING: f64 = 1e-6;
+/// What the size of cells gains per way from where they are fine, unless stated.
+const GROWTH: f64 = 0.3;
 /// Nodes are at most this many target sizes apart at the start.
 const SPARSE: f64 = 2.5;
 /// θ with gates: what a node that is put back leaves of divergence in v would else be turned round by each step, for ever.
@@ -76,7 +78,7 @@ fn backend<const D: usize, const N: usize>(
     let gravity: Vector<D> = table.gravity.to_array();
     let setting = Setting {
         walls,
-        size: TargetSize::Constant(size),
+        size: target_size(fluid, size),
         acceleration: std::array::from_fn(|k| gravity[k] + body_force[k]),
         response,
         medium: Medium { density: fluid.density.si(), viscosity: fluid.viscosity.si() },
@@ -90,6 +92,24 @@ fn backend<const D: usize, const N: usize>(
         control.implicitness = WITH_GATES;
     }
     Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal, Gates::new(outlets)))
+}
+
+/// Target size of the cells: finer than `coarse` (m) where the case says so.
+fn target_size(fluid: &Fluid, coarse: f64) -> TargetSize {
+    let Some(pfem) = fluid.pfem.as_ref().filter(|pfem| !pfem.refine.is_empty()) else {
+        return TargetSize::Constant(coarse);
+    };
+    let near = |stated: &document::Refinement| match (stated.near, stated.region()) {
+        (_, Some(Region::Box(lower, upper))) => Near::Box(lower.to_array(), upper.to_array()),
+        (_, Some(Region::Sphere(centre, radius))) => Near::Sphere(centre.to_array(), radius.si()),
+        (Some(document::Near::Walls), _) => Near::Walls,
+        (Some(document::Near::Grains), _) => Near::Grains,
+        _ => Near::Surface,
+    };
+    let source = |stated| Source { near: near(stated), size: stated.size.si().min(coarse) };
+    let sources = pfem.refine.iter().map(source).collect();
+    let growth = pfem.growth.unwrap_or(GROWTH);
+    TargetSize::Graded(Grading { coarse, growth, sources, by_grains: Vec::new() })
 }
 
 /// The body that the mesh is, its top where the case states it.

@@ -24,11 +24,7 @@ pub fn at<const D: usize, const N: usize>(
         Some(found) => found,
         None => {
             let (cell, place, node) = nearest(cloud, x)?;
-            let h = match size {
-                TargetSize::Constant(h) => *h,
-                TargetSize::Nodal(sizes) => sizes[node as usize],
-            };
-            if distance(&place, x) > NEAR * h {
+            if distance(&place, x) > NEAR * size.most_at(node as usize) {
                 return None;
             }
             (cell, coordinates(cloud, &cell, &place)?)

@@ -3,6 +3,7 @@
 mod dam_break;
 mod drop;
 mod exact;
+mod graded;
 mod sloshing;
 mod stated_motion;
 mod topology;

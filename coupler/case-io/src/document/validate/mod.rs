@@ -16,6 +16,7 @@ mod mesh;
 mod motion_table;
 mod pfem;
 mod probe;
+mod refinement;
 mod region;
 mod rules;
 mod sizes;

@@ -22,6 +22,9 @@ pub(super) fn check(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
         rules
             .required("fluid.pfem.size", "without [fluid.mesh] nothing else says how fine the bodies are")?;
     }
+    if let Some(pfem) = &fluid.pfem {
+        super::refinement::check(pfem, rules)?;
+    }
     fluid.body.iter().enumerate().try_for_each(|(k, stated)| body(fluid, stated, k, rules))
 }
 

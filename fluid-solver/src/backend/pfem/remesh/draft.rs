@@ -77,7 +77,7 @@ impl<const D: usize> Draft<D> {
     /// Reads the sizes at the nodes of the moved cloud, none of which goes yet.
     pub fn read_sizes<const N: usize>(&mut self, cloud: &Cloud<D, N>, size: &TargetSize) {
         let nodes = cloud.place.len();
-        size.at_nodes(nodes, &mut self.size);
+        size.at_nodes(cloud, &mut self.size);
         self.removed.clear();
         self.removed.resize(nodes, false);
         self.youngest = cloud.birth.iter().copied().max().unwrap_or(0);

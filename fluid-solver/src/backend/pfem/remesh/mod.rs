@@ -6,6 +6,7 @@
 mod books;
 mod correction;
 mod draft;
+mod grading;
 mod management;
 mod recognition;
 mod size;
@@ -15,6 +16,7 @@ mod topology;
 mod transfer;
 
 pub use books::{Account, Books, Energy, EnergyBooks, VolumeBooks, energy, volume};
+pub use grading::{Grading, Near, Source};
 pub use recognition::Recognition;
 pub use size::TargetSize;
 pub use space::{SpaceRemesher, Spent};
@@ -70,8 +72,7 @@ impl Remesher<2, 3> {
     ) -> Result<Events, delaunay::Error> {
         let mut events = self.pass(cloud, walls, time, size, books)?;
         for _ in 1..PASSES {
-            // Nodal sizes are of the nodes there were.
-            if matches!(size, TargetSize::Nodal(_)) || !self.has_flat_cells(cloud) {
+            if size.is_of_nodes() || !self.has_flat_cells(cloud) {
                 break;
             }
             events = events.and(self.pass(cloud, walls, time, size, books)?);
