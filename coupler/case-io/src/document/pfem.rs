@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::boundary::BoundaryVelocity;
-use super::quantity::Length;
+use super::quantity::{Length, Pressure};
 use super::region::{Region, SphereRegion};
 use super::vector::Bounds;
 
@@ -17,6 +17,8 @@ pub struct Pfem {
     /// How the cells that are fluid are found between nodes that moved.
     #[serde(default)]
     pub recognition: Recognition,
+    /// Pressure over the relative change of volume that it makes; default: the fluid keeps its volume.
+    pub bulk_modulus: Option<Pressure>,
 }
 
 /// How the cells that are fluid are found between nodes that moved.

@@ -72,10 +72,27 @@ fn backend<const D: usize, const N: usize>(
         depth: if D == 2 { table.depth() } else { 1.0 },
         surface: mesh.as_ref().map(Mesh::surface),
     };
-    let rheology = flow::Rheology::Newtonian(flow::Newtonian { viscosity: fluid.viscosity.si() });
-    let properties = flow::Fluid { density: fluid.density.si(), rheology, bulk_modulus: None };
+    let properties = flow::Fluid {
+        density: fluid.density.si(),
+        rheology: rheology(fluid),
+        bulk_modulus: fluid.pfem.as_ref().and_then(|pfem| pfem.bulk_modulus).map(|modulus| modulus.si()),
+    };
     let control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
     Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal))
+}
+
+/// What resists shear.
+fn rheology(fluid: &Fluid) -> flow::Rheology {
+    let viscosity = fluid.viscosity.si();
+    match &fluid.rheology {
+        None => flow::Rheology::Newtonian(flow::Newtonian { viscosity }),
+        Some(stated) => flow::Rheology::HerschelBulkley(flow::HerschelBulkley {
+            consistency: viscosity,
+            exponent: stated.exponent(),
+            yield_stress: stated.yield_stress.si(),
+            creep_rate: stated.creep_rate(viscosity),
+        }),
+    }
 }
 
 /// The body that the mesh is, its top where the case states it.

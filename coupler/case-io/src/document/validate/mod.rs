@@ -16,6 +16,7 @@ mod motion_table;
 mod pfem;
 mod probe;
 mod region;
+mod rheology;
 mod rules;
 mod sizes;
 mod sleep;

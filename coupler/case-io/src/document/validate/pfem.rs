@@ -18,6 +18,10 @@ pub(super) fn check(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
     }
     let size = fluid.pfem.as_ref().and_then(|pfem| pfem.size);
     rules.optional_positive("fluid.pfem.size", size)?;
+    rules.optional_positive(
+        "fluid.pfem.bulk-modulus",
+        fluid.pfem.as_ref().and_then(|pfem| pfem.bulk_modulus),
+    )?;
     if source.is_none() {
         rules
             .required("fluid.pfem.size", "without [fluid.mesh] nothing else says how fine the bodies are")?;
@@ -84,6 +88,11 @@ mod tests {
                     "[fluid.mesh]",
                     "pfem = { size = \"2 m\" }\n[fluid.mesh]",
                     "case.toml:12: fluid.pfem.size: found 2 m; allowed: at most the shortest edge of fluid.mesh.box, 1 m",
+                ),
+                (
+                    "[fluid.mesh]",
+                    "pfem = { bulk-modulus = \"0 GPa\" }\n[fluid.mesh]",
+                    "case.toml:12: fluid.pfem.bulk-modulus: found 0 Pa; allowed: more than 0 Pa",
                 ),
                 (
                     "\"y-max\"",

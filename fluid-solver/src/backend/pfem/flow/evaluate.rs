@@ -3,10 +3,10 @@
 use super::chunks::for_each;
 use super::contact::moved;
 use super::krylov::split_mut;
-use super::nodal::Fields;
+use super::nodal::{Fields, Part};
 use super::setting::Fluid;
 use super::solve::{Flow, Start};
-use super::suspended::{Part, Suspended};
+use super::suspended::Suspended;
 use super::topology::Topology;
 use crate::element::simplex::{Vector, dot};
 use linear::vector;
@@ -38,8 +38,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);
         let grains = start.suspended(&self.porous, self.implicitness);
-        let grains = grains.map(|grains| (grains, Part::Affine));
-        let fields = Fields { velocity, pressure, excess: &self.excess, grains };
+        let fields = Fields { velocity, pressure, excess: &self.excess, part: Part::Affine, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
         self.assembly.evaluate(topology, fields, curvature, momentum, volumes);
         for_each(volumes, |node, row| {

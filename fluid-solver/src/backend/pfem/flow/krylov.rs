@@ -2,8 +2,8 @@
 
 use super::chunks::for_each;
 use super::constraint::Constraint;
-use super::nodal::{Assembly, Fields};
-use super::suspended::{Part, Suspended};
+use super::nodal::{Assembly, Fields, Part};
+use super::suspended::Suspended;
 use super::topology::Topology;
 use crate::element::simplex::Vector;
 use linear::{LinearOperator, dense, vector};
@@ -39,8 +39,7 @@ impl<const D: usize, const N: usize> LinearOperator for StepOperator<'_, D, N> {
         let Scratch { assembly, excess } = &mut *self.scratch.borrow_mut();
         let inertia = self.inertia;
         for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-        let grains = self.grains.map(|grains| (grains, Part::Linear));
-        let fields = Fields { velocity: v, pressure: p, excess, grains };
+        let fields = Fields { velocity: v, pressure: p, excess, part: Part::Linear, grains: self.grains };
         assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
         let (volumes, compressibility) = (&assembly.volumes, self.compressibility);
         for_each(volume, |node, row| *row += compressibility * volumes[node] * p[node]);

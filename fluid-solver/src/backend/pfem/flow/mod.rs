@@ -26,6 +26,7 @@ mod solution;
 mod solve;
 mod strain;
 mod suspended;
+mod tangent;
 mod topology;
 mod velocity;
 

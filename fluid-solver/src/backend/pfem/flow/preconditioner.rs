@@ -3,9 +3,9 @@
 use super::chunks::for_each;
 use super::constraint::Constraint;
 use super::krylov::{Scratch, StepOperator, split, split_mut};
-use super::nodal::{Assembly, Fields};
+use super::nodal::{Assembly, Fields, Part};
 use super::pressure::Pressure;
-use super::suspended::{Part, Suspended};
+use super::suspended::Suspended;
 use super::topology::Topology;
 use super::velocity::Velocity;
 use crate::backend::pfem::cloud::Cloud;
@@ -86,8 +86,7 @@ impl<const D: usize, const N: usize> Preconditioner for StepPreconditioner<'_, D
         } else {
             velocity.apply(constraints, r_v, v);
             for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-            let linear = grains.map(|grains| (grains, Part::Linear));
-            let fields = Fields { velocity: v, pressure: no_pressure, excess, grains: linear };
+            let fields = Fields { velocity: v, pressure: no_pressure, excess, part: Part::Linear, grains };
             assembly.evaluate(topology, fields, 0.0, forces, volumes);
             for_each(volumes, |node, volume| *volume = r_p[node] / scale - *volume);
         }

@@ -152,6 +152,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         for rows in [&mut self.rows, &mut self.right, &mut self.increment] {
             rows.resize((D + 1) * nodes, 0.0);
         }
+        self.assembly.begin(cloud.cells.len(), &self.fluid.rheology);
         self.contact.begin(cloud);
         self.contact.release(cloud, walls, step);
         let (mut velocity, mut pressure) = (cloud.velocity.clone(), cloud.pressure.clone());
@@ -249,6 +250,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             progress.iterations += outcome.iterations as u64;
             progress.passes += 1;
             let (dv, dp) = split::<D>(increment);
+            operator.scratch.borrow_mut().assembly.advance(topology, velocity, dv);
             vector::axpy(1.0, dv.as_flattened(), velocity.as_flattened_mut());
             vector::axpy(1.0, dp, pressure);
             self.contact.find(cloud, walls, step, velocity);
