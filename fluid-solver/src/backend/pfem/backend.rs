@@ -1,7 +1,7 @@
 //! The particle finite element method as a backend of the coupling.
 
 use super::cloud::Cloud;
-use super::flow::{Flow, FlowFault, FlowSolution, Forces};
+use super::flow::{Flow, FlowFault, FlowSolution, Forces, Residuals};
 use super::grains::{GrainsInCloud, Solved};
 use super::remesh::TargetSize;
 use super::renewal::Renewal;
@@ -50,6 +50,8 @@ pub struct Pfem<const D: usize, const N: usize> {
     solution: Option<FlowSolution<D>>,
     /// Of the iteration before.
     iterate: Option<FlowSolution<D>>,
+    /// Of the step committed last.
+    residuals: Residuals,
 }
 
 impl<const D: usize, const N: usize> Pfem<D, N> {
@@ -62,7 +64,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
     ) -> Self {
         let state = State::start(cloud, setting.medium.density, &setting.acceleration);
         let grains = GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len());
-        Self { setting, state, flow, renewal, grains, solution: None, iterate: None }
+        Self { setting, state, flow, renewal, grains, solution: None, iterate: None, residuals: Residuals::default() }
     }
 
     /// The fluid.
@@ -210,6 +212,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         let work = solution.reaction.iter().zip(&solution.velocity).map(|(force, v)| dot(force, v));
         *given += step.length * work.sum::<f64>();
         solution.advance(cloud, step);
+        self.residuals = solution.residuals;
         let Setting { walls, size, response, .. } = &self.setting;
         if *response == Response::TwoWay {
             books.volume.target = *fluid_volume + self.grains.wetted_volume();
@@ -231,7 +234,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
     }
 
     fn statistics(&self, _time: f64) -> Vec<(&'static str, f64)> {
-        super::output::statistics(&self.state, &self.setting, &self.grains)
+        super::output::statistics(&self.state, &self.setting, &self.grains, self.residuals)
     }
 
     fn counters(&self) -> Vec<(String, u64)> {

@@ -77,7 +77,12 @@ fn backend<const D: usize, const N: usize>(
         rheology: rheology(fluid),
         bulk_modulus: fluid.pfem.as_ref().and_then(|pfem| pfem.bulk_modulus).map(|modulus| modulus.si()),
     };
-    let control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
+    let scheme = match fluid.pfem.as_ref().map(|pfem| pfem.scheme).unwrap_or_default() {
+        document::FlowScheme::Monolithic => flow::Scheme::Monolithic,
+        document::FlowScheme::Segregated => flow::Scheme::Segregated,
+        document::FlowScheme::FractionalStep => flow::Scheme::FractionalStep,
+    };
+    let control = Control { tolerance: fluid.solve_tolerance(), scheme, ..Control::default() };
     Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal))
 }
 

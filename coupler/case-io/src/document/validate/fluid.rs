@@ -52,7 +52,7 @@ fn computed(document: &Document, fluid: &Fluid, rules: &Rules) -> Result<(), Cas
         }
     }
     if fluid.backend == Backend::Pfem {
-        pfem::check(fluid, rules)?;
+        pfem::check(document, fluid, rules)?;
         fluid.rheology.as_ref().map_or(Ok(()), |stated| rheology::check(document, stated, rules))?;
     } else {
         for key in ["pfem", "rheology", "body", "mesh.box.surface"] {

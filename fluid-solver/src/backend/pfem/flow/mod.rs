@@ -6,7 +6,7 @@
 //! Σ_e [∫N ∇·v + τ∇N·(ρ(v_m − v_n)/(θΔt) + ∇p − ρg)] = 0:
 //!
 //! the stabilisation holds the whole residual, so that a fluid at rest, in free fall or in an accelerated tank is exact,
-//! and no wall and no surface needs a term of its own. Masses are lumped.
+//! and no wall and no surface needs a term of its own.
 
 mod cell;
 mod chunks;
@@ -21,6 +21,7 @@ mod porous;
 mod preconditioner;
 mod pressure;
 mod rheology;
+mod scheme;
 mod setting;
 mod solution;
 mod solve;
@@ -32,6 +33,7 @@ mod velocity;
 
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
+pub use scheme::Scheme;
 pub use setting::{Control, Fluid, Forces};
 pub use solution::{FlowSolution, Residuals};
 pub use solve::Flow;

@@ -17,6 +17,7 @@ pub struct Assembly<const D: usize, const N: usize> {
     pub cells: Vec<Cell<D, N>>,
     /// How their stress changes; none where one viscosity holds.
     tangents: Vec<Tangent<D>>,
+    lumped: bool,
     /// V_i = Σ V/N, of the fluid alone Σ ∫εN_i (m³); 0 at drops.
     pub volumes: Vec<f64>,
     rows: Vec<Rows<D, N>>,
@@ -34,6 +35,8 @@ pub struct Fields<'a, const D: usize, const N: usize> {
     pub pressure: &'a [f64],
     /// e = ρ(v − v_n)/(θΔt) − ρg: the residual of momentum but for the stresses (N/m³).
     pub excess: &'a [Vector<D>],
+    /// bulk V^{2/D}∇·v (Pa) is added to the stress where increments are mapped (kg/(m³ s)): the K_v of segregated schemes.
+    pub bulk: f64,
     /// Which part of the rows is meant.
     pub part: Part,
     /// The grains, if any.
@@ -51,13 +54,14 @@ pub enum Part {
 
 impl<const D: usize, const N: usize> Default for Assembly<D, N> {
     fn default() -> Self {
-        Self { cells: Vec::new(), tangents: Vec::new(), volumes: Vec::new(), rows: Vec::new() }
+        Self { cells: Vec::new(), tangents: Vec::new(), lumped: false, volumes: Vec::new(), rows: Vec::new() }
     }
 }
 
 impl<const D: usize, const N: usize> Assembly<D, N> {
-    /// Forgets the stresses that the last step arrived at.
-    pub fn begin(&mut self, cells: usize, rheology: &Rheology) {
+    /// Forgets the stresses that the last step arrived at; `lumped` tells whether masses are, grains or not.
+    pub fn begin(&mut self, cells: usize, rheology: &Rheology, lumped: bool) {
+        self.lumped = lumped;
         self.tangents.clear();
         self.tangents.resize(if rheology.is_newtonian() { 0 } else { cells }, Tangent::UNKNOWN);
     }
@@ -113,7 +117,7 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         });
     }
 
-    /// The rows of momentum (N) and of volume (m³/s); with `curvature` as [`Cell::rows`] has it.
+    /// The rows of momentum (N) and of volume (m³/s); with `curvature` as [`Cell::rows`] has it. Masses are lumped among grains.
     pub fn evaluate(
         &mut self,
         topology: &Topology<N>,
@@ -122,8 +126,9 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         momentum: &mut [Vector<D>],
         volume: &mut [f64],
     ) {
-        let Self { cells, tangents, volumes, rows } = self;
-        let Fields { velocity, pressure, excess, part, grains } = fields;
+        let Self { cells, tangents, lumped, volumes, rows } = self;
+        let lumped = *lumped;
+        let Fields { velocity, pressure, excess, bulk, part, grains } = fields;
         for_each(rows, |index, rows| {
             let nodes = topology.cells()[index].map(|node| node as usize);
             if let Some(grains) = &grains {
@@ -132,9 +137,19 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
                 return;
             }
             let (v, p) = (nodes.map(|node| velocity[node]), nodes.map(|node| pressure[node]));
-            *rows = cells[index].rows(&v, &p, &nodes.map(|node| excess[node]), curvature);
-            if part == Part::Linear && !tangents.is_empty() {
-                tangents[index].relieve(&cells[index], &v, &mut rows.0);
+            let e = nodes.map(|node| excess[node]);
+            *rows = cells[index].rows(&v, &p, &e, curvature);
+            if !lumped {
+                cells[index].share_inertia(&e, &mut rows.0);
+            }
+            if part == Part::Affine {
+                return;
+            }
+            if let Some(tangent) = tangents.get(index) {
+                tangent.relieve(&cells[index], &v, &mut rows.0);
+            }
+            if bulk > 0.0 {
+                cells[index].resist_expansion(bulk, &v, &mut rows.0);
             }
         });
         for_each(momentum, |node, force| {

@@ -1,13 +1,10 @@
 //! How the stress of a cell follows its rate of shear where the viscosity depends on it.
 
-use super::cell::Cell;
+use super::cell::{Cell, Tensor, product};
 use super::rheology::{Law, Rheology};
 use crate::element::simplex::{Vector, dot};
 
-/// A matrix by rows.
-type Tensor<const D: usize> = [Vector<D>; D];
-
-/// The linearised law of a cell, with E = ∇v + ∇vᵀ, γ̇ = √(½E:E) and n = E/γ̇:
+/// The linearised law of a cell, with E = ∇v + ∇vᵀ − ⅔∇·v, γ̇ = √(½E:E) and n = E/γ̇:
 ///
 /// δτ = μδE − s ½[w(½n:δE) + n(½w:δE)], s = −γ̇ dμ/dγ̇.
 ///
@@ -36,15 +33,15 @@ impl<const D: usize> Tangent<D> {
 
     /// At a cell whose corners have these velocities; the stress is that of the last step.
     pub fn at<const N: usize>(&self, cell: &Cell<D, N>, v: &[Vector<D>; N], rheology: &Rheology) -> Self {
-        let strain_rate = strain_rate(cell, v);
-        let shear_rate = contract(&strain_rate, &strain_rate).sqrt();
+        let strain_rate = cell.strain_rate(v);
+        let shear_rate = product(&strain_rate, &strain_rate).sqrt();
         if shear_rate == 0.0 {
             return Self { stress: self.stress, ..Self::UNKNOWN };
         }
         let direction = scaled(&strain_rate, 1.0 / shear_rate);
         let stress_direction = self.stress.map_or(direction, |stress| {
             let direction = scaled(&stress, 1.0 / (cell.viscosity * shear_rate));
-            scaled(&direction, 1.0 / contract(&direction, &direction).sqrt().max(1.0))
+            scaled(&direction, 1.0 / product(&direction, &direction).sqrt().max(1.0))
         });
         let softening = rheology.softening(shear_rate);
         Self { softening, direction, stress_direction, stress: self.stress }
@@ -57,9 +54,9 @@ impl<const D: usize> Tangent<D> {
         dv: &[Vector<D>; N],
         forces: &mut [Vector<D>; N],
     ) {
-        let change = strain_rate(cell, dv);
-        let along = 0.5 * self.softening * contract(&self.direction, &change);
-        let across = 0.5 * self.softening * contract(&self.stress_direction, &change);
+        let change = cell.strain_rate(dv);
+        let along = 0.5 * self.softening * product(&self.direction, &change);
+        let across = 0.5 * self.softening * product(&self.stress_direction, &change);
         for (force, area) in forces.iter_mut().zip(&cell.areas) {
             for k in 0..D {
                 force[k] -=
@@ -70,25 +67,14 @@ impl<const D: usize> Tangent<D> {
 
     /// Goes on to τ + δτ, the corners having v before the step.
     pub fn advance<const N: usize>(&mut self, cell: &Cell<D, N>, v: &[Vector<D>; N], dv: &[Vector<D>; N]) {
-        let (strain_rate, change) = (strain_rate(cell, v), strain_rate(cell, dv));
-        let softened = self.softening * contract(&self.direction, &change);
+        let (strain_rate, change) = (cell.strain_rate(v), cell.strain_rate(dv));
+        let softened = self.softening * product(&self.direction, &change);
         self.stress = Some(std::array::from_fn(|k| {
             std::array::from_fn(|l| {
                 cell.viscosity * (strain_rate[k][l] + change[k][l]) - softened * self.stress_direction[k][l]
             })
         }));
     }
-}
-
-/// E = ∇v + ∇vᵀ (1/s).
-fn strain_rate<const D: usize, const N: usize>(cell: &Cell<D, N>, v: &[Vector<D>; N]) -> Tensor<D> {
-    let gradient = cell.velocity_gradient(v);
-    std::array::from_fn(|k| std::array::from_fn(|l| cell.inverse * (gradient[k][l] + gradient[l][k])))
-}
-
-/// ½a:b.
-fn contract<const D: usize>(a: &Tensor<D>, b: &Tensor<D>) -> f64 {
-    0.5 * a.iter().zip(b).map(|(a, b)| dot(a, b)).sum::<f64>()
 }
 
 fn scaled<const D: usize>(a: &Tensor<D>, factor: f64) -> Tensor<D> {
