@@ -64,7 +64,16 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
     ) -> Self {
         let state = State::start(cloud, setting.medium.density, &setting.acceleration);
         let grains = GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len());
-        Self { setting, state, flow, renewal, grains, solution: None, iterate: None, residuals: Residuals::default() }
+        Self {
+            setting,
+            state,
+            flow,
+            renewal,
+            grains,
+            solution: None,
+            iterate: None,
+            residuals: Residuals::default(),
+        }
     }
 
     /// The fluid.

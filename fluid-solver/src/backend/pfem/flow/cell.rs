@@ -40,7 +40,8 @@ impl<const D: usize, const N: usize> Cell<D, N> {
         let least = SLIVER * regular_volume(D) * longest.powi(D as i32);
         let size = volume.max(least);
         let h = 2.0 * if D == 2 { size.sqrt() } else { size.cbrt() };
-        let mut cell = Self { volume, areas, inverse: 1.0 / size, relaxation: 0.0, viscosity: 0.0, shear_stress: 0.0 };
+        let mut cell =
+            Self { volume, areas, inverse: 1.0 / size, relaxation: 0.0, viscosity: 0.0, shear_stress: 0.0 };
         let shear_rate = cell.shear_rate(v);
         cell.viscosity = rheology.viscosity(shear_rate);
         cell.shear_stress = cell.viscosity * shear_rate;
@@ -77,16 +78,6 @@ impl<const D: usize, const N: usize> Cell<D, N> {
     fn shear_rate(&self, v: &[Vector<D>; N]) -> f64 {
         let strain_rate = self.strain_rate(v);
         product(&strain_rate, &strain_rate).sqrt()
-    }
-
-    /// Adds ∫N_i e − e_i ∫N_i = V/(D + 2) (ē − e_i) to forces (N): what a consistent mass has that a lumped one lacks.
-    pub fn share_inertia(&self, e: &[Vector<D>; N], forces: &mut [Vector<D>; N]) {
-        for k in 0..D {
-            let mean = e.iter().map(|e| e[k]).sum::<f64>() / N as f64;
-            for (force, e) in forces.iter_mut().zip(e) {
-                force[k] += self.volume / (D + 2) as f64 * (mean - e[k]);
-            }
-        }
     }
 
     /// Adds ∫κ'∇·v ∇N_i to forces (N), κ' = `bulk` V^{2/D}.
@@ -192,21 +183,6 @@ mod tests {
         let cell = Cell::new(&CORNERS, &[[0.0; 3]; 4], 2.0, &newtonian(3.0));
         let rate = cell.shear_rate(&CORNERS.map(|x| [0.0, -7.0 * x[0], 0.0]));
         assert!((rate - 7.0).abs() < 1e-13, "{rate}");
-    }
-
-    #[test]
-    fn a_consistent_mass_is_the_integral_of_the_products_of_shape_functions() {
-        let cell = Cell::new(&CORNERS, &[[0.0; 3]; 4], 2.0, &newtonian(0.0));
-        let e: [[f64; 3]; 4] = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0], [4.0, 4.0, 4.0]];
-        let mut forces = e.map(|e| e.map(|e| 0.25 * cell.volume * e));
-        cell.share_inertia(&e, &mut forces);
-        for (i, force) in forces.iter().enumerate() {
-            for k in 0..3 {
-                // V (1 + δ_ij)/20.
-                let exact = (0..4).map(|j| e[j][k] * if i == j { 2.0 } else { 1.0 }).sum::<f64>();
-                assert!((force[k] - cell.volume / 20.0 * exact).abs() < 1e-14);
-            }
-        }
     }
 
     #[test]

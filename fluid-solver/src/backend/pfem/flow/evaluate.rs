@@ -33,12 +33,13 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             self.assembly.share_volume(topology, &self.porous);
         }
         for_each(&mut self.excess, |node, e| {
-            let (v, before) = (&velocity[node], &cloud.velocity[node]);
+            let (v, before) = (&velocity[node], &self.projected.velocity[node]);
             *e = std::array::from_fn(|k| inertia * (v[k] - before[k]) - density * forces.gravity[k]);
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);
         let grains = start.suspended(&self.porous, self.implicitness);
-        let fields = Fields { velocity, pressure, excess: &self.excess, bulk: 0.0, part: Part::Affine, grains };
+        let fields =
+            Fields { velocity, pressure, excess: &self.excess, bulk: 0.0, part: Part::Affine, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
         self.assembly.evaluate(topology, fields, curvature, momentum, volumes);
         for_each(volumes, |node, row| {

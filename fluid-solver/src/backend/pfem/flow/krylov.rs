@@ -57,7 +57,8 @@ impl<const D: usize, const N: usize> StepOperator<'_, D, N> {
         let Scratch { assembly, excess } = &mut *self.scratch.borrow_mut();
         let inertia = self.inertia;
         for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-        let fields = Fields { velocity: v, pressure: p, excess, bulk, part: Part::Linear, grains: self.grains };
+        let fields =
+            Fields { velocity: v, pressure: p, excess, bulk, part: Part::Linear, grains: self.grains };
         assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
     }
 

@@ -6,7 +6,7 @@
 //! Σ_e [∫N ∇·v + τ∇N·(ρ(v_m − v_n)/(θΔt) + ∇p − ρg)] = 0:
 //!
 //! the stabilisation holds the whole residual, so that a fluid at rest, in free fall or in an accelerated tank is exact,
-//! and no wall and no surface needs a term of its own.
+//! and no wall and no surface needs a term of its own. Masses are lumped.
 
 mod cell;
 mod chunks;
@@ -20,6 +20,7 @@ mod nodal;
 mod porous;
 mod preconditioner;
 mod pressure;
+mod projection;
 mod rheology;
 mod scheme;
 mod setting;

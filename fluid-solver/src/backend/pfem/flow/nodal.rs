@@ -17,7 +17,6 @@ pub struct Assembly<const D: usize, const N: usize> {
     pub cells: Vec<Cell<D, N>>,
     /// How their stress changes; none where one viscosity holds.
     tangents: Vec<Tangent<D>>,
-    lumped: bool,
     /// V_i = Σ V/N, of the fluid alone Σ ∫εN_i (m³); 0 at drops.
     pub volumes: Vec<f64>,
     rows: Vec<Rows<D, N>>,
@@ -54,14 +53,13 @@ pub enum Part {
 
 impl<const D: usize, const N: usize> Default for Assembly<D, N> {
     fn default() -> Self {
-        Self { cells: Vec::new(), tangents: Vec::new(), lumped: false, volumes: Vec::new(), rows: Vec::new() }
+        Self { cells: Vec::new(), tangents: Vec::new(), volumes: Vec::new(), rows: Vec::new() }
     }
 }
 
 impl<const D: usize, const N: usize> Assembly<D, N> {
-    /// Forgets the stresses that the last step arrived at; `lumped` tells whether masses are, grains or not.
-    pub fn begin(&mut self, cells: usize, rheology: &Rheology, lumped: bool) {
-        self.lumped = lumped;
+    /// Forgets the stresses that the last step arrived at.
+    pub fn begin(&mut self, cells: usize, rheology: &Rheology) {
         self.tangents.clear();
         self.tangents.resize(if rheology.is_newtonian() { 0 } else { cells }, Tangent::UNKNOWN);
     }
@@ -117,7 +115,7 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         });
     }
 
-    /// The rows of momentum (N) and of volume (m³/s); with `curvature` as [`Cell::rows`] has it. Masses are lumped among grains.
+    /// The rows of momentum (N) and of volume (m³/s); with `curvature` as [`Cell::rows`] has it.
     pub fn evaluate(
         &mut self,
         topology: &Topology<N>,
@@ -126,8 +124,7 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         momentum: &mut [Vector<D>],
         volume: &mut [f64],
     ) {
-        let Self { cells, tangents, lumped, volumes, rows } = self;
-        let lumped = *lumped;
+        let Self { cells, tangents, volumes, rows } = self;
         let Fields { velocity, pressure, excess, bulk, part, grains } = fields;
         for_each(rows, |index, rows| {
             let nodes = topology.cells()[index].map(|node| node as usize);
@@ -137,11 +134,7 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
                 return;
             }
             let (v, p) = (nodes.map(|node| velocity[node]), nodes.map(|node| pressure[node]));
-            let e = nodes.map(|node| excess[node]);
-            *rows = cells[index].rows(&v, &p, &e, curvature);
-            if !lumped {
-                cells[index].share_inertia(&e, &mut rows.0);
-            }
+            *rows = cells[index].rows(&v, &p, &nodes.map(|node| excess[node]), curvature);
             if part == Part::Affine {
                 return;
             }

@@ -6,6 +6,7 @@ use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::Assembly;
 use super::porous::Porous;
 use super::preconditioner::Preconditioning;
+use super::projection::Projected;
 use super::scheme::{Correct, Iterate, Verdict};
 use super::setting::{Control, Fluid, Forces};
 use super::solution::{FlowSolution, Residuals};
@@ -58,6 +59,7 @@ pub struct Flow<const D: usize, const N: usize> {
     pub(super) assembly: Assembly<D, N>,
     pub(super) contact: Contact<D>,
     pub(super) excess: Vec<Vector<D>>,
+    pub(super) projected: Projected<D>,
     pub(super) porous: Vec<Porous<D, N>>,
     /// The rows at the iterate.
     pub(super) rows: Vec<f64>,
@@ -86,6 +88,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             assembly: Assembly::default(),
             contact: Contact::default(),
             excess: Vec::new(),
+            projected: Projected::default(),
             porous: Vec::new(),
             rows: Vec::new(),
             right: Vec::new(),
@@ -150,10 +153,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         for rows in [&mut self.rows, &mut self.right, &mut self.increment] {
             rows.resize((D + 1) * nodes, 0.0);
         }
-        self.assembly.begin(cloud.cells.len(), &self.fluid.rheology, self.scheme.lumps());
+        self.assembly.begin(cloud.cells.len(), &self.fluid.rheology);
         self.contact.begin(cloud);
         self.contact.release(cloud, walls, step);
-        let (mut velocity, mut pressure) = (cloud.velocity.clone(), cloud.pressure.clone());
+        self.project(start, &mut mesh)?;
+        let (mut velocity, mut pressure) = (self.projected.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
         let progress = self.improve(start, &mut mesh, &mut velocity, &mut pressure);
         self.mesh = Some(mesh);
@@ -187,6 +191,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let is_plastic = !self.fluid.rheology.is_newtonian();
         let (mut progress, mut target) = (Progress::default(), 0.0);
         let (mut change, mut met) = (f64::INFINITY, 0);
+        let projects = self.projects(start);
         loop {
             self.contact.constrain(cloud, walls, step, velocity);
             for (v, constraint) in velocity.iter_mut().zip(&self.contact.constraints) {
@@ -233,7 +238,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                     return Err(FlowFault::NotConverged { time, passes, iterations, residual: norm, target });
                 }
             }
-            if passes == 0 || is_plastic {
+            if is_plastic || passes == 0 && !projects {
                 let assembly = &operator.scratch.borrow().assembly;
                 let (constraints, rates) = (operator.constraints, (inertia, compressibility));
                 let mobility = scheme.mobility();
@@ -245,7 +250,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             operator.scratch.borrow_mut().assembly.advance(topology, velocity, dv);
             vector::axpy(1.0, dv.as_flattened(), velocity.as_flattened_mut());
             vector::axpy(1.0, dp, pressure);
-            let share = |change: &[f64], of: &[f64]| vector::norm(change) / vector::norm(of).max(f64::MIN_POSITIVE);
+            let share =
+                |change: &[f64], of: &[f64]| vector::norm(change) / vector::norm(of).max(f64::MIN_POSITIVE);
             change = share(dv.as_flattened(), velocity.as_flattened()).max(share(dp, pressure));
             met = self.contact.find(cloud, walls, step, velocity);
         }

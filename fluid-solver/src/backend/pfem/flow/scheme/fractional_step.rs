@@ -11,14 +11,10 @@ const CORRECTIONS: u64 = 3;
 const PASSES: u64 = 10;
 
 /// What preconditions the whole system, applied once a pass: v* with the pressure of the last one, the change of pressure
-/// from ∇·v*, and v with that change. Masses are lumped, so that the velocity is a division by them.
+/// from ∇·v*, and v with that change.
 pub struct FractionalStep;
 
 impl<const D: usize, const N: usize> Correct<D, N> for FractionalStep {
-    fn lumps(&self) -> bool {
-        true
-    }
-
     fn judge(&self, iterate: &Iterate) -> Verdict {
         let corrected = iterate.passes >= CORRECTIONS && iterate.met == 0;
         match iterate.passes {

@@ -69,9 +69,9 @@ pub(super) trait Correct<const D: usize, const N: usize>: Send {
         stated
     }
 
-    /// Whether masses are lumped.
-    fn lumps(&self) -> bool {
-        false
+    /// Whether v_n is to be freed of its divergence before the step.
+    fn projects(&self) -> bool {
+        true
     }
 
     /// What the pressure matrix is a Laplacian of: (m³ s/kg) of a cell; none for θΔt/ρ.

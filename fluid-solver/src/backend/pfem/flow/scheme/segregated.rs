@@ -42,6 +42,10 @@ impl<const D: usize, const N: usize> Correct<D, N> for Segregated {
         1.0
     }
 
+    fn projects(&self) -> bool {
+        false
+    }
+
     fn mobility(&self) -> Option<fn(&Cell<D, N>) -> f64> {
         Some(|cell| cell.relaxation)
     }
