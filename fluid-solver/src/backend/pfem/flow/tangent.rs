@@ -80,3 +80,67 @@ impl<const D: usize> Tangent<D> {
 fn scaled<const D: usize>(a: &Tensor<D>, factor: f64) -> Tensor<D> {
     a.map(|row| row.map(|value| factor * value))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::rheology::HerschelBulkley;
+    use super::*;
+
+    const CORNERS: [[f64; 3]; 4] = [[0.1, 0.2, 0.3], [1.3, 0.1, 0.2], [0.2, 1.5, 0.4], [0.3, 0.1, 1.9]];
+    const V: [[f64; 3]; 4] = [[0.3, -0.1, 0.2], [-0.4, 0.2, 0.1], [0.5, 0.6, -0.7], [-0.2, 0.3, 0.9]];
+    const CHANGE: [[f64; 3]; 4] = [[0.1, 0.7, -0.3], [0.2, -0.5, 0.4], [-0.6, 0.1, 0.8], [0.9, -0.2, 0.3]];
+    const MUD: Rheology = Rheology::HerschelBulkley(HerschelBulkley {
+        consistency: 2.0,
+        exponent: 0.6,
+        yield_stress: 5.0,
+        creep_rate: 0.3,
+    });
+
+    fn forces(v: &[[f64; 3]; 4], cell: &Cell<3, 4>) -> [[f64; 3]; 4] {
+        cell.rows(v, &[0.0; 4], &[[0.0; 3]; 4], 0.0).0
+    }
+
+    fn work(forces: &[[f64; 3]; 4], v: &[[f64; 3]; 4]) -> f64 {
+        forces.iter().zip(v).map(|(force, v)| dot(force, v)).sum()
+    }
+
+    #[test]
+    fn before_a_step_the_tangent_is_the_derivative_of_the_forces() {
+        let cell = Cell::new(&CORNERS, &V, 1.0, &MUD);
+        let mut found = forces(&CHANGE, &cell);
+        Tangent::UNKNOWN.at(&cell, &V, &MUD).relieve(&cell, &CHANGE, &mut found);
+        let after = |t: f64| {
+            let v: [[f64; 3]; 4] =
+                std::array::from_fn(|i| std::array::from_fn(|k| V[i][k] + t * CHANGE[i][k]));
+            forces(&v, &Cell::new(&CORNERS, &v, 1.0, &MUD))
+        };
+        let (less, more) = (after(-1e-5), after(1e-5));
+        for i in 0..4 {
+            for k in 0..3 {
+                let slope = (more[i][k] - less[i][k]) / 2e-5;
+                assert!((found[i][k] - slope).abs() < 1e-7, "{i} {k}: {} {slope}", found[i][k]);
+            }
+        }
+    }
+
+    #[test]
+    fn after_a_step_it_is_symmetric_and_never_negative() {
+        let cell = Cell::new(&CORNERS, &V, 1.0, &MUD);
+        let mut tangent = Tangent::UNKNOWN.at(&cell, &V, &MUD);
+        tangent.advance(&cell, &V, &CHANGE);
+        let tangent = tangent.at(&cell, &V, &MUD);
+        let through = |v: &[[f64; 3]; 4]| {
+            let mut found = forces(v, &cell);
+            tangent.relieve(&cell, v, &mut found);
+            found
+        };
+        let (one, other) = (work(&through(&V), &CHANGE), work(&through(&CHANGE), &V));
+        assert!((one - other).abs() < 1e-12 * one.abs(), "{one} {other}");
+        for k in 0..16 {
+            let share = k as f64 / 8.0 - 1.0;
+            let v: [[f64; 3]; 4] =
+                std::array::from_fn(|i| std::array::from_fn(|k| CHANGE[i][k] + share * V[i][k]));
+            assert!(work(&through(&v), &v) >= 0.0);
+        }
+    }
+}
