@@ -171,7 +171,6 @@ kinds! {
     AngularVelocity, "an angular velocity", [0, 0, -1, 1], "rad/s", "rad/s";
     MassRate, "a mass rate", [0, 1, -1, 0], "kg/s", "kg/s";
     NumberRate, "a number rate", [0, 0, -1, 0], "1/s", "1/s";
-    ShearRate, "a rate of shear", [0, 0, -1, 0], "1/s", "1/s";
 }
 
 #[cfg(test)]
@@ -251,7 +250,6 @@ mod tests {
         reads::<kind::Mass>();
         reads::<kind::Angle>();
         reads::<kind::AngularVelocity>();
-        reads::<kind::ShearRate>();
         reads::<kind::MassRate>();
         reads::<kind::NumberRate>();
     }

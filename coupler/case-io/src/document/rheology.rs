@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::quantity::{Pressure, ShearRate};
+use super::quantity::{NumberRate, Pressure};
 
 /// `[fluid.rheology]` (`pfem` only): the stress at a rate of shear γ̇ is `yield-stress` + `viscosity` γ̇ (γ̇ in 1/s)^(`index` − 1).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -17,7 +17,7 @@ pub struct Rheology {
     pub index: Option<f64>,
     /// Rate of shear below which the stress falls to 0 instead of staying at that of yield: what is arrested creeps at
     /// rates of this order; default a thousandth of that at which yield stress and viscosity are even.
-    pub creep_rate: Option<ShearRate>,
+    pub creep_rate: Option<NumberRate>,
 }
 
 /// Law of the stress.

@@ -56,7 +56,7 @@ fn three_corrections_are_as_good_as_the_whole_system_on_a_wave_and_the_segregate
     for (scheme, found) in SCHEMES.iter().zip([whole, segregated, corrected]) {
         println!("{scheme:?}: {found:?}");
     }
-    assert!(corrected[4] < 0.5 * whole[4], "the cheap one costs {} of {} iterations", corrected[4], whole[4]);
+    assert!(corrected[4] < 0.7 * whole[4], "the cheap one costs {} of {} iterations", corrected[4], whole[4]);
     for [period, change, left, ..] in [whole, corrected] {
         assert!(period.abs() <= 8e-3 && change <= 1e-6 && (left - 1.0).abs() <= 0.01);
     }

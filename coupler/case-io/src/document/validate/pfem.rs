@@ -108,7 +108,7 @@ mod tests {
                 (
                     "[fluid.mesh]",
                     "pfem = { scheme = \"fractional\" }\n[fluid.mesh]",
-                    "case.toml:12: fluid.pfem.scheme: unknown scheme \"fractional\"; allowed: monolithic, segregated, fractional-step",
+                    "case.toml:12: fluid.pfem.scheme: unknown scheme \"fractional\"; allowed: monolithic, segregated, fractional-step; did you mean \"fractional-step\"?",
                 ),
                 (
                     "[fluid.mesh]",

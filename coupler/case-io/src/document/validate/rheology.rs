@@ -56,7 +56,7 @@ mod tests {
                 (
                     "\"20 Pa\"",
                     "\"20 Pa\"\ncreep-rate = \"1 m/s\"",
-                    "case.toml:15: fluid.rheology.creep-rate: \"1 m/s\" is a velocity (m s^-1), not a rate of shear; write for example \"2.5 1/s\" (a rate of shear)",
+                    "case.toml:15: fluid.rheology.creep-rate: \"1 m/s\" is a velocity (m s^-1), not a number rate; write for example \"2.5 1/s\" (a number rate)",
                 ),
                 (
                     "\"bingham\"",
@@ -85,7 +85,7 @@ mod tests {
             &[(
                 "[fluid.mesh]",
                 MUD,
-                "case.toml:12: fluid.rheology: has no effect with backend = \"eulerian\"; delete it",
+                "case.toml:11: fluid.rheology: has no effect with backend = \"eulerian\"; delete it",
             )],
         );
         assert_refusals(
@@ -93,7 +93,7 @@ mod tests {
             &[(
                 "[fluid.mesh]",
                 MUD,
-                "case.toml:26: fluid.rheology: no law of drag knows a yield stress; allowed: a case without [grains]; delete one of both",
+                "case.toml:30: fluid.rheology: no law of drag knows a yield stress; allowed: a case without [grains]; delete one of both",
             )],
         );
     }
