@@ -4,11 +4,12 @@
 //! One step: [`grains`] are placed where they end, [`flow`] moves the nodes on the mesh at t_n, [`remesh`] finds the mesh at t_{n+1}.
 
 mod backend;
-mod body;
+pub mod body;
 mod case;
 mod checkpoint;
 pub mod cloud;
 pub mod flow;
+pub mod gate;
 pub mod grains;
 mod output;
 mod probe;

@@ -54,7 +54,6 @@ fn sound_goes_up_and_down_a_column_in_four_heights_and_dies_as_the_steps_say() {
     let crossings = series.windows(2).enumerate().filter(|(n, a)| *n > 0 && a[0] * a[1] <= 0.0);
     let zeros: Vec<f64> = crossings.map(|(n, a)| (n as f64 + a[0] / (a[0] - a[1])) * length).collect();
     let period = zeros[2] - zeros[0];
-    println!("sound: period {:+.3} %", 100.0 * (period / exact - 1.0));
     assert!((period / exact - 1.0).abs() <= 5e-3, "{period} s, {exact} s");
     // p over the step before: (1 + (ωΔt)²/2)^{−1/2} a step.
     let peak = |range: std::ops::Range<usize>| series[range].iter().fold(0.0f64, |max, a| max.max(a.abs()));

@@ -48,7 +48,6 @@ fn channel(share: f64, cells: usize) -> (f64, u64) {
 fn a_bingham_fluid_falls_through_a_channel_with_its_plug_in_few_passes() {
     for (share, cells) in [(0.0, 20), (0.2, 20), (0.2, 30), (0.5, 20), (0.5, 30)] {
         let (error, passes) = channel(share, cells);
-        println!("plug {share}, {cells} cells: error {error:.4}, {passes} passes");
         assert!(error <= 0.03, "plug {share}, {cells} cells: {error}");
         assert!(passes <= 20, "plug {share}, {cells} cells: {passes} passes");
     }
@@ -72,7 +71,6 @@ fn column(yield_stress: f64, creep_rate: f64) -> (f64, u64) {
 fn a_column_that_its_yield_stress_can_bear_only_creeps_and_slower_the_lower_the_stated_rate() {
     for creep_rate in [1e-2, 1e-3, 1e-4] {
         let (speed, passes) = column(2000.0, creep_rate);
-        println!("creep rate {creep_rate} 1/s: {speed:.2e} m/s, {passes} passes");
         // Stress ρgH/2 at most, at the viscosity of the creep.
         let creep = 0.5 * DENSITY * 9.81 * 0.01 * creep_rate / 2000.0;
         assert!(speed <= creep, "{speed} m/s, {creep} m/s");
@@ -96,6 +94,5 @@ fn a_thinning_fluid_falls_through_a_channel_as_its_power_says() {
     let largest = profile.iter().map(|[_, v]| *v).fold(0.0, f64::max);
     // 1 − y^{1 + 1/n}
     let error = profile.iter().map(|[y, v]| (v / largest - (1.0 - y.powi(3))).abs()).fold(0.0, f64::max);
-    println!("power law: error of the shape {error:.4}");
     assert!(error <= 0.03, "{error}");
 }

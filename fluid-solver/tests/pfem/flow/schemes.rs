@@ -52,10 +52,6 @@ fn wave(scheme: Scheme) -> [f64; 5] {
 #[test]
 fn three_corrections_are_as_good_as_the_whole_system_on_a_wave_and_the_segregated_scheme_damps_it() {
     let [whole, segregated, corrected] = SCHEMES.map(wave);
-    println!("period, volume, amplitude, residual, iterations:");
-    for (scheme, found) in SCHEMES.iter().zip([whole, segregated, corrected]) {
-        println!("{scheme:?}: {found:?}");
-    }
     assert!(corrected[4] < 0.7 * whole[4], "the cheap one costs {} of {} iterations", corrected[4], whole[4]);
     for [period, change, left, ..] in [whole, corrected] {
         assert!(period.abs() <= 8e-3 && change <= 1e-6 && (left - 1.0).abs() <= 0.01);

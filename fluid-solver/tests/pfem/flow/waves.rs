@@ -106,6 +106,5 @@ fn viscosity_takes_what_the_solution_of_prosperetti_says() {
         decay(include_str!("../reference/standing_viscous_prosperetti_Re200.csv"), 0.005, [40, 48], 10.0);
     let water =
         decay(include_str!("../reference/standing_viscous_prosperetti_Re2000.csv"), 5e-4, [60, 72], 10.0);
-    println!("Re 20: {thick:.5}, 200: {thin:.5}, 2000: {water:.5} of the first amplitude");
     assert!(thick <= 0.02 && thin <= 0.02 && water <= 0.02, "{thick} {thin} {water}");
 }

@@ -29,6 +29,17 @@ pub struct Preconditioning<const D: usize> {
     pub no_pressure: Vec<f64>,
 }
 
+/// What a step is divided by.
+#[derive(Clone, Copy)]
+pub struct Rates<const D: usize, const N: usize> {
+    /// ρ/(θΔt) (kg/(m³ s)).
+    pub inertia: f64,
+    /// 1/(κΔt) (1/(Pa s)).
+    pub compressibility: f64,
+    /// What the pressure matrix is a Laplacian of (m³ s/kg), where it is not θΔt/ρ with the drag of grains.
+    pub mobility: Option<fn(&Cell<D, N>) -> f64>,
+}
+
 impl<const D: usize> Preconditioning<D> {
     /// To be refreshed before use.
     pub fn new<const N: usize>(topology: &Topology<N>) -> Self {
@@ -43,8 +54,7 @@ impl<const D: usize> Preconditioning<D> {
         }
     }
 
-    /// Takes the cells of a pass: ρ/(θΔt) and 1/(κΔt) are those of the step; `mobility` is what the pressure matrix is a
-    /// Laplacian of (m³ s/kg), where it is not θΔt/ρ with the drag of grains.
+    /// Takes the cells of a pass.
     ///
     /// # Errors
     /// A coefficient that is not finite.
@@ -54,10 +64,10 @@ impl<const D: usize> Preconditioning<D> {
         topology: &Topology<N>,
         assembly: &Assembly<D, N>,
         constraints: &[Constraint<D>],
-        (inertia, compressibility): (f64, f64),
-        mobility: Option<fn(&Cell<D, N>) -> f64>,
+        rates: Rates<D, N>,
         grains: Option<Suspended<'_, D, N>>,
     ) -> Result<(), linear::Error> {
+        let Rates { inertia, compressibility, mobility } = rates;
         self.velocity.refresh(topology, assembly, constraints, inertia, grains)?;
         let mobility = |index: usize, nodes: &[u32; N]| match (&grains, mobility) {
             (_, Some(mobility)) => mobility(&assembly.cells[index]),

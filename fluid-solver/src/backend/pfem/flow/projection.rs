@@ -4,7 +4,7 @@ use super::chunks::for_each;
 use super::contact::moved;
 use super::krylov::split_mut;
 use super::nodal::{Fields, Part};
-use super::preconditioner::Preconditioning;
+use super::preconditioner::{Preconditioning, Rates};
 use super::setting::Fluid;
 use super::solve::{Flow, Start};
 use super::topology::Topology;
@@ -54,7 +54,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let rheology = &self.fluid.rheology;
         self.assembly.place(topology, |node| cloud.place[node], velocity, inertia, rheology);
         let constraints = &self.contact.constraints;
-        preconditioning.refresh(cloud, topology, &self.assembly, constraints, (inertia, 0.0), None, None)?;
+        let rates = Rates { inertia, compressibility: 0.0, mobility: None };
+        preconditioning.refresh(cloud, topology, &self.assembly, constraints, rates, None)?;
 
         divergence.resize(nodes, 0.0);
         blow_pressure.clear();

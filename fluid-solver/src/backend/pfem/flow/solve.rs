@@ -5,7 +5,7 @@ use super::fault::FlowFault;
 use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::Assembly;
 use super::porous::Porous;
-use super::preconditioner::Preconditioning;
+use super::preconditioner::{Preconditioning, Rates};
 use super::projection::Projected;
 use super::scheme::{Correct, Iterate, Verdict};
 use super::setting::{Control, Fluid, Forces};
@@ -240,9 +240,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             }
             if is_plastic || passes == 0 && !projects {
                 let assembly = &operator.scratch.borrow().assembly;
-                let (constraints, rates) = (operator.constraints, (inertia, compressibility));
-                let mobility = scheme.mobility();
-                preconditioning.refresh(cloud, topology, assembly, constraints, rates, mobility, grains)?;
+                let rates = Rates { inertia, compressibility, mobility: scheme.mobility() };
+                preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;
             }
             progress.iterations += scheme.correct(&iterate, &operator, preconditioning, right, increment);
             progress.passes += 1;
