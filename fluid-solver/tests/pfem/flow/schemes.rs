@@ -45,7 +45,7 @@ fn wave(scheme: Scheme) -> [f64; 5] {
         iterations += solution.iterations as f64;
     });
     let zeros = super::waves::zeros(&series, length);
-    let left = series[150..].iter().fold(0.0f64, |max, a| max.max(a.abs()));
+    let left = series[175..].iter().fold(0.0f64, |max, a| max.max(a.abs()));
     [(zeros[3] - zeros[1]) / exact - 1.0, change, left, residual, iterations]
 }
 
