@@ -30,6 +30,7 @@ macro_rules! cases {
 }
 
 cases! {
+    bingham_slump "bingham-slump"
     bonded_beam "bonded-beam"
     collapse_50 "collapse-50"
     dam_break "dam-break"

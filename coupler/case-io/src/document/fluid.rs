@@ -8,6 +8,7 @@ use super::gate::{Inlet, Outlet};
 use super::mesh::Mesh;
 use super::pfem::{Body, Pfem};
 use super::quantity::{Density, Viscosity};
+use super::rheology::Rheology;
 use super::vector::AccelerationVector;
 use crate::expression::Expression;
 
@@ -19,8 +20,10 @@ pub struct Fluid {
     pub backend: Backend,
     /// Mass density of the fluid.
     pub density: Density,
-    /// Dynamic viscosity.
+    /// Dynamic viscosity; with `rheology` that of what its yield stress does not hold.
     pub viscosity: Viscosity,
+    /// Yield stress and power of the rate of shear (`pfem` only); default none.
+    pub rheology: Option<Rheology>,
     /// Initial velocity, of t = 0; default at rest.
     pub velocity: Option<BoundaryVelocity>,
     /// Extra acceleration besides gravity; default none.

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::boundary::BoundaryVelocity;
-use super::quantity::Length;
+use super::quantity::{Length, Pressure};
 use super::refinement::Refinement;
 use super::region::{Region, SphereRegion};
 use super::vector::Bounds;
@@ -23,6 +23,11 @@ pub struct Pfem {
     pub refine: Vec<Refinement>,
     /// What the size of cells gains per way from where they are fine; default 0.3.
     pub growth: Option<f64>,
+    /// How velocity and pressure of a step are found.
+    #[serde(default)]
+    pub scheme: FlowScheme,
+    /// Pressure over the relative change of volume that it makes; default: the fluid keeps its volume.
+    pub bulk_modulus: Option<Pressure>,
 }
 
 /// How the cells that are fluid are found between nodes that moved.
@@ -34,6 +39,19 @@ pub enum Recognition {
     MovedDomain,
     /// What is not larger than the size allows.
     AlphaShape,
+}
+
+/// How velocity and pressure of a step are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FlowScheme {
+    /// Both at once, until nothing is left of the equations.
+    #[default]
+    Monolithic,
+    /// One after the other, as in the papers of the method, of first order in time: for comparison.
+    Segregated,
+    /// Three corrections of the pressure, whatever is left: cheaper.
+    FractionalStep,
 }
 
 /// `[[fluid.body]]`: fluid besides that of the mesh; exactly one of `box` and `sphere` gives its shape.

@@ -1,7 +1,7 @@
 //! The particle finite element method as a backend of the coupling.
 
 use super::cloud::Cloud;
-use super::flow::{Flow, FlowFault, FlowSolution, Forces};
+use super::flow::{Flow, FlowFault, FlowSolution, Forces, Residuals};
 use super::gate::{self, Gates};
 use super::grains::{GrainsInCloud, Solved};
 use super::remesh::TargetSize;
@@ -52,6 +52,8 @@ pub struct Pfem<const D: usize, const N: usize> {
     solution: Option<FlowSolution<D>>,
     /// Of the iteration before.
     iterate: Option<FlowSolution<D>>,
+    /// Of the step committed last.
+    residuals: Residuals,
 }
 
 impl<const D: usize, const N: usize> Pfem<D, N> {
@@ -65,7 +67,17 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
     ) -> Self {
         let state = State::start(cloud, setting.medium.density, &setting.acceleration);
         let grains = GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len());
-        Self { setting, state, flow, renewal, gates, grains, solution: None, iterate: None }
+        Self {
+            setting,
+            state,
+            flow,
+            renewal,
+            gates,
+            grains,
+            solution: None,
+            iterate: None,
+            residuals: Residuals::default(),
+        }
     }
 
     /// The fluid.
@@ -222,6 +234,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         }
         let work = solution.reaction.iter().zip(&solution.velocity).map(|(force, v)| dot(force, v));
         self.state.given += step.length * work.sum::<f64>();
+        self.residuals = solution.residuals;
         let passed = self.gates.advance(&mut self.state.cloud, walls, step, &solution, acceleration);
         self.state.pass(&passed, medium.density);
         let State { cloud, books, counts, fluid_volume, .. } = &mut self.state;
@@ -245,7 +258,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
     }
 
     fn statistics(&self, _time: f64) -> Vec<(&'static str, f64)> {
-        super::output::statistics(&self.state, &self.setting, &self.grains)
+        super::output::statistics(&self.state, &self.setting, &self.grains, self.residuals)
     }
 
     fn counters(&self) -> Vec<(String, u64)> {

@@ -85,9 +85,17 @@ fn backend<const D: usize, const N: usize>(
         depth: if D == 2 { table.depth() } else { 1.0 },
         surface: mesh.as_ref().map(Mesh::surface),
     };
-    let rheology = flow::Rheology::Newtonian(flow::Newtonian { viscosity: fluid.viscosity.si() });
-    let properties = flow::Fluid { density: fluid.density.si(), rheology, bulk_modulus: None };
-    let mut control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
+    let properties = flow::Fluid {
+        density: fluid.density.si(),
+        rheology: rheology(fluid),
+        bulk_modulus: fluid.pfem.as_ref().and_then(|pfem| pfem.bulk_modulus).map(|modulus| modulus.si()),
+    };
+    let scheme = match fluid.pfem.as_ref().map(|pfem| pfem.scheme).unwrap_or_default() {
+        document::FlowScheme::Monolithic => flow::Scheme::Monolithic,
+        document::FlowScheme::Segregated => flow::Scheme::Segregated,
+        document::FlowScheme::FractionalStep => flow::Scheme::FractionalStep,
+    };
+    let mut control = Control { tolerance: fluid.solve_tolerance(), scheme, ..Control::default() };
     if !(openings.is_empty() && outlets.is_empty()) {
         control.implicitness = WITH_GATES;
     }
@@ -110,6 +118,20 @@ fn target_size(fluid: &Fluid, coarse: f64) -> TargetSize {
     let sources = pfem.refine.iter().map(source).collect();
     let growth = pfem.growth.unwrap_or(GROWTH);
     TargetSize::Graded(Grading { coarse, growth, sources, by_grains: Vec::new() })
+}
+
+/// What resists shear.
+fn rheology(fluid: &Fluid) -> flow::Rheology {
+    let viscosity = fluid.viscosity.si();
+    match &fluid.rheology {
+        None => flow::Rheology::Newtonian(flow::Newtonian { viscosity }),
+        Some(stated) => flow::Rheology::HerschelBulkley(flow::HerschelBulkley {
+            consistency: viscosity,
+            exponent: stated.exponent(),
+            yield_stress: stated.yield_stress.si(),
+            creep_rate: stated.creep_rate(viscosity),
+        }),
+    }
 }
 
 /// The body that the mesh is, its top where the case states it.

@@ -2,6 +2,7 @@
 
 use super::backend::Setting;
 use super::cloud::Cloud;
+use super::flow::Residuals;
 use super::grains::GrainsInCloud;
 use super::state::State;
 use crate::element::simplex::{Vector, dot};
@@ -9,11 +10,12 @@ use crate::error::FluidError;
 use case_io::output::vtk::{Compression, Field, Format, Precision, UnstructuredGrid};
 use std::path::{Path, PathBuf};
 
-/// Volume and energy with their audits, momentum, extremes: name with unit, value. In 2D those of the slab.
+/// Volume and energy with their audits, momentum, extremes, what the last step left of its equations: name with unit, value. In 2D those of the slab.
 pub fn statistics<const D: usize, const N: usize>(
     state: &State<D, N>,
     setting: &Setting<D>,
     grains: &GrainsInCloud<D, N>,
+    residuals: Residuals,
 ) -> Vec<(&'static str, f64)> {
     const MOMENTUM: [&str; 3] = ["momentum-x[kg m/s]", "momentum-y[kg m/s]", "momentum-z[kg m/s]"];
     const REACH: [[&str; 2]; 3] =
@@ -69,6 +71,8 @@ pub fn statistics<const D: usize, const N: usize>(
         ("speed-max[m/s]", largest(&mut cloud.velocity.iter().map(|v| dot(v, v).sqrt()))),
         ("pressure-min[Pa]", -largest(&mut cloud.pressure.iter().map(|p| -p))),
         ("pressure-max[Pa]", largest(&mut cloud.pressure.iter().copied())),
+        ("momentum-residual[-]", residuals.momentum),
+        ("volume-residual[-]", residuals.volume),
         ("grains-volume[m^3]", depth * grains.wetted_volume()),
         ("void-fraction-min[-]", -largest(&mut grains.void_fraction().iter().map(|void| -void))),
         ("nodes[-]", cloud.place.len() as f64),

@@ -1,7 +1,9 @@
 mod bits;
+mod compressible;
 mod free_fall;
 mod ledger;
 mod plastic;
 mod rest;
+mod schemes;
 mod walls;
 mod waves;

@@ -3,6 +3,7 @@
 use super::gate;
 use super::mesh::{self, boundary_names};
 use super::pfem;
+use super::rheology;
 use super::rules::Rules;
 use crate::document::{Backend, Boundary, BoundaryKind, BoundaryVelocity, Document, Fluid};
 use crate::error::CaseError;
@@ -18,7 +19,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
 }
 
 fn imposed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
-    for key in ["mesh", "boundary", "inlet", "outlet", "velocity", "body-force", "solve"] {
+    for key in ["mesh", "boundary", "inlet", "outlet", "velocity", "body-force", "solve", "rheology"] {
         rules.no_effect(&format!("fluid.{key}"), "with backend = \"imposed\"")?;
     }
     rules.required(
@@ -52,10 +53,11 @@ fn computed(document: &Document, fluid: &Fluid, rules: &Rules) -> Result<(), Cas
         }
     }
     if fluid.backend == Backend::Pfem {
-        pfem::check(fluid, rules)?;
+        pfem::check(document, fluid, rules)?;
         gate::check(fluid, rules)?;
+        fluid.rheology.as_ref().map_or(Ok(()), |stated| rheology::check(document, stated, rules))?;
     } else {
-        for key in ["pfem", "body", "inlet", "outlet", "mesh.box.surface"] {
+        for key in ["pfem", "rheology", "body", "inlet", "outlet", "mesh.box.surface"] {
             rules.no_effect(&format!("fluid.{key}"), format_args!("with backend = {backend}"))?;
         }
     }

@@ -18,6 +18,7 @@ mod pfem;
 mod probe;
 mod refinement;
 mod region;
+mod rheology;
 mod rules;
 mod sizes;
 mod sleep;

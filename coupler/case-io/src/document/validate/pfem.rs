@@ -4,10 +4,21 @@ use super::fluid::velocity;
 use super::rules::Rules;
 use crate::document::quantity::Length;
 use crate::document::vector::extent;
-use crate::document::{Body, Fluid, MeshSource, Region};
+use crate::document::{Body, Document, FlowScheme, Fluid, MeshSource, Region};
 use crate::error::CaseError;
 
-pub(super) fn check(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
+pub(super) fn check(document: &Document, fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
+    if fluid.pfem.as_ref().is_some_and(|pfem| pfem.scheme != FlowScheme::Monolithic) {
+        let beside = match (&document.grains, &fluid.rheology) {
+            (Some(_), _) => Some("[grains]"),
+            (None, Some(_)) => Some("[fluid.rheology]"),
+            (None, None) => None,
+        };
+        if let Some(table) = beside {
+            let found = format_args!("only \"monolithic\" computes with {table}");
+            return rules.refuse("fluid.pfem.scheme", found, "", "delete it");
+        }
+    }
     let source = fluid.mesh.as_ref().and_then(|mesh| mesh.source());
     if let Some(MeshSource::Box(mesh)) = source {
         if !mesh.periodic.is_empty() {
@@ -18,6 +29,10 @@ pub(super) fn check(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
     }
     let size = fluid.pfem.as_ref().and_then(|pfem| pfem.size);
     rules.optional_positive("fluid.pfem.size", size)?;
+    rules.optional_positive(
+        "fluid.pfem.bulk-modulus",
+        fluid.pfem.as_ref().and_then(|pfem| pfem.bulk_modulus),
+    )?;
     if source.is_none() {
         rules
             .required("fluid.pfem.size", "without [fluid.mesh] nothing else says how fine the bodies are")?;
@@ -87,6 +102,21 @@ mod tests {
                     "[fluid.mesh]",
                     "pfem = { size = \"2 m\" }\n[fluid.mesh]",
                     "case.toml:12: fluid.pfem.size: found 2 m; allowed: at most the shortest edge of fluid.mesh.box, 1 m",
+                ),
+                (
+                    "[fluid.mesh]",
+                    "pfem = { scheme = \"segregated\" }\nrheology = { law = \"bingham\", yield-stress = \"1 Pa\" }\n[fluid.mesh]",
+                    "case.toml:12: fluid.pfem.scheme: only \"monolithic\" computes with [fluid.rheology]; delete it",
+                ),
+                (
+                    "[fluid.mesh]",
+                    "pfem = { scheme = \"fractional\" }\n[fluid.mesh]",
+                    "case.toml:12: fluid.pfem.scheme: unknown scheme \"fractional\"; allowed: monolithic, segregated, fractional-step; did you mean \"fractional-step\"?",
+                ),
+                (
+                    "[fluid.mesh]",
+                    "pfem = { bulk-modulus = \"0 GPa\" }\n[fluid.mesh]",
+                    "case.toml:12: fluid.pfem.bulk-modulus: found 0 Pa; allowed: more than 0 Pa",
                 ),
                 (
                     "\"y-max\"",

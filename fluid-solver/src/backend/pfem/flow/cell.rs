@@ -18,6 +18,8 @@ pub struct Cell<const D: usize, const N: usize> {
     pub relaxation: f64,
     /// μ (Pa s).
     pub viscosity: f64,
+    /// μγ̇ (Pa).
+    pub shear_stress: f64,
 }
 
 /// The share of the volume of a regular cell of the same longest edge below which V is not taken in a divisor. In space
@@ -43,9 +45,11 @@ impl<const D: usize, const N: usize> Cell<D, N> {
         let size = volume.max(least);
         let h = 2.0 * if D == 2 { size.sqrt() } else { size.cbrt() };
         let (inverse, fullness) = (1.0 / size, volume / size);
-        let mut cell = Self { volume, areas, inverse, fullness, relaxation: 0.0, viscosity: 0.0 };
-        let shear_rate = if rheology.is_newtonian() { 0.0 } else { cell.shear_rate(v) };
+        let mut cell =
+            Self { volume, areas, inverse, fullness, relaxation: 0.0, viscosity: 0.0, shear_stress: 0.0 };
+        let shear_rate = cell.shear_rate(v);
         cell.viscosity = rheology.viscosity(shear_rate);
+        cell.shear_stress = cell.viscosity * shear_rate;
         cell.relaxation = 1.0 / (8.0 * cell.viscosity / (h * h) + inertia);
         cell
     }
@@ -63,16 +67,31 @@ impl<const D: usize, const N: usize> Cell<D, N> {
         gradient
     }
 
-    /// γ̇ = √(2 ε:ε) (1/s).
-    fn shear_rate(&self, v: &[Vector<D>; N]) -> f64 {
+    /// E = ∇v + ∇vᵀ − ⅔∇·v (1/s); in the plane its third diagonal entry is what the trace lacks.
+    pub fn strain_rate(&self, v: &[Vector<D>; N]) -> Tensor<D> {
         let gradient = self.velocity_gradient(v);
-        let mut sum = 0.0;
-        for k in 0..D {
-            for l in 0..D {
-                sum += 0.5 * (gradient[k][l] + gradient[l][k]).powi(2);
-            }
+        let mean = 2.0 / 3.0 * (0..D).map(|k| gradient[k][k]).sum::<f64>();
+        std::array::from_fn(|k| {
+            std::array::from_fn(|l| {
+                let isotropic = if k == l { mean } else { 0.0 };
+                self.inverse * (gradient[k][l] + gradient[l][k] - isotropic)
+            })
+        })
+    }
+
+    /// γ̇ = √(½E:E) (1/s).
+    fn shear_rate(&self, v: &[Vector<D>; N]) -> f64 {
+        let strain_rate = self.strain_rate(v);
+        product(&strain_rate, &strain_rate).sqrt()
+    }
+
+    /// Adds ∫κ'∇·v ∇N_i to forces (N), κ' = `bulk` V^{2/D}.
+    pub fn resist_expansion(&self, bulk: f64, v: &[Vector<D>; N], forces: &mut [Vector<D>; N]) {
+        let rate: f64 = v.iter().zip(&self.areas).map(|(v, a)| dot(v, a)).sum();
+        let stress = bulk * self.inverse.powf(1.0 - 2.0 / D as f64) * rate;
+        for (force, area) in forces.iter_mut().zip(&self.areas) {
+            (0..D).for_each(|k| force[k] += stress * area[k]);
         }
-        self.inverse * sum.sqrt()
     }
 
     /// The forces ∫(τ − p I)∇N_i (N) and the volume rows ∫N_i∇·v + τ∇N_i·(e + ∇p) (m³/s), e being the residual of
@@ -111,6 +130,16 @@ impl<const D: usize, const N: usize> Cell<D, N> {
             self.areas.map(|a| volume + dot(&a, &excess)),
         )
     }
+}
+
+/// A matrix by rows.
+pub type Tensor<const D: usize> = [Vector<D>; D];
+
+/// ½a:b of tensors without trace; in the plane with the entries that these have across it.
+pub fn product<const D: usize>(a: &Tensor<D>, b: &Tensor<D>) -> f64 {
+    let trace = |tensor: &Tensor<D>| (0..D).map(|k| tensor[k][k]).sum::<f64>();
+    let within: f64 = a.iter().zip(b).map(|(a, b)| dot(a, b)).sum();
+    0.5 * (within + trace(a) * trace(b))
 }
 
 #[cfg(test)]

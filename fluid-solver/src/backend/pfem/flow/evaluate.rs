@@ -3,10 +3,10 @@
 use super::chunks::for_each;
 use super::contact::moved;
 use super::krylov::split_mut;
-use super::nodal::Fields;
+use super::nodal::{Fields, Part};
 use super::setting::Fluid;
 use super::solve::{Flow, Start};
-use super::suspended::{Part, Suspended};
+use super::suspended::Suspended;
 use super::topology::Topology;
 use crate::element::simplex::{Vector, dot};
 use linear::vector;
@@ -38,8 +38,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);
         let grains = start.suspended(&self.porous, self.implicitness);
-        let grains = grains.map(|grains| (grains, Part::Affine));
-        let fields = Fields { velocity, pressure, excess: &self.excess, grains };
+        let fields =
+            Fields { velocity, pressure, excess: &self.excess, bulk: 0.0, part: Part::Affine, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
         self.assembly.evaluate(topology, fields, curvature, momentum, volumes);
         for_each(volumes, |node, row| {
@@ -47,6 +47,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             *row += compressibility * self.assembly.volumes[node] * change;
             *row += forces.grains.map_or(0.0, |grains| grains.source[node]);
         });
+        self.scheme.add_volumes(cloud, &self.assembly, pressure, volumes);
     }
 
     /// Rows of volume times (ρ/(θΔt) + d/(θV)) and the spacing have the size of forces (N s/m³).
@@ -60,7 +61,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         (self.inertia(start.step) + drag) * spacing
     }
 
-    /// Norms of (V_i ρ/(θΔt) + d/θ)v, and of the sizes of the terms that make up a force (N).
+    /// Norms of (V_i ρ/(θΔt) + d/θ)v with the stresses on the node, and of the sizes of the terms that make up a force (N).
     pub(super) fn sizes(
         &mut self,
         start: Start<'_, D, N>,
@@ -78,6 +79,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let resistance = grains.map_or(0.0, |grains| grains.resistance(node));
             let speed = dot(&velocity[node], &velocity[node]).sqrt();
             *size = (inertia * assembly.volumes[node] + resistance) * speed;
+            for corner in topology.corners(node) {
+                let cell = &assembly.cells[corner.cell as usize];
+                let area = &cell.areas[corner.local as usize];
+                *size += cell.shear_stress * dot(area, area).sqrt();
+            }
         });
         let force = &mut force[..velocity.len()];
         for_each(force, |node, size| {

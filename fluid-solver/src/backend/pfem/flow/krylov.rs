@@ -2,8 +2,8 @@
 
 use super::chunks::for_each;
 use super::constraint::Constraint;
-use super::nodal::{Assembly, Fields};
-use super::suspended::{Part, Suspended};
+use super::nodal::{Assembly, Fields, Part};
+use super::suspended::Suspended;
 use super::topology::Topology;
 use crate::element::simplex::Vector;
 use linear::{LinearOperator, dense, vector};
@@ -36,19 +36,32 @@ impl<const D: usize, const N: usize> LinearOperator for StepOperator<'_, D, N> {
 
     fn apply(&self, x: &[f64], y: &mut [f64]) {
         let ((v, p), (momentum, volume)) = (split(x), split_mut::<D>(y));
-        let Scratch { assembly, excess } = &mut *self.scratch.borrow_mut();
-        let inertia = self.inertia;
-        for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-        let grains = self.grains.map(|grains| (grains, Part::Linear));
-        let fields = Fields { velocity: v, pressure: p, excess, grains };
-        assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
-        let (volumes, compressibility) = (&assembly.volumes, self.compressibility);
+        self.rows(v, p, 0.0, momentum, volume);
+        let (volumes, compressibility) = (&self.scratch.borrow().assembly.volumes, self.compressibility);
         for_each(volume, |node, row| *row += compressibility * volumes[node] * p[node]);
         self.restrict(momentum, volume);
     }
 }
 
 impl<const D: usize, const N: usize> StepOperator<'_, D, N> {
+    /// What increments of velocity and pressure add to all rows but by compressibility, those of volume not scaled; `bulk` as
+    /// [`Fields`] has it.
+    pub fn rows(
+        &self,
+        v: &[Vector<D>],
+        p: &[f64],
+        bulk: f64,
+        momentum: &mut [Vector<D>],
+        volume: &mut [f64],
+    ) {
+        let Scratch { assembly, excess } = &mut *self.scratch.borrow_mut();
+        let inertia = self.inertia;
+        for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
+        let fields =
+            Fields { velocity: v, pressure: p, excess, bulk, part: Part::Linear, grains: self.grains };
+        assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
+    }
+
     /// Keeps the free rows and scales those of volume.
     pub fn restrict(&self, momentum: &mut [Vector<D>], volume: &mut [f64]) {
         let constraints = self.constraints;

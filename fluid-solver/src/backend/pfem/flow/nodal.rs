@@ -5,7 +5,8 @@ use super::chunks::for_each;
 use super::contact::moved;
 use super::porous::Porous;
 use super::rheology::Rheology;
-use super::suspended::{Part, Suspended};
+use super::suspended::Suspended;
+use super::tangent::Tangent;
 use super::topology::Topology;
 use crate::element::simplex::Vector;
 
@@ -14,6 +15,8 @@ use crate::element::simplex::Vector;
 pub struct Assembly<const D: usize, const N: usize> {
     /// The cells.
     pub cells: Vec<Cell<D, N>>,
+    /// How their stress changes; none where one viscosity holds.
+    tangents: Vec<Tangent<D>>,
     /// V_i = Σ V/N, of the fluid alone Σ ∫εN_i (m³); 0 at drops.
     pub volumes: Vec<f64>,
     rows: Vec<Rows<D, N>>,
@@ -31,17 +34,49 @@ pub struct Fields<'a, const D: usize, const N: usize> {
     pub pressure: &'a [f64],
     /// e = ρ(v − v_n)/(θΔt) − ρg: the residual of momentum but for the stresses (N/m³).
     pub excess: &'a [Vector<D>],
-    /// The grains, if any, and whether what they do without the fluid counts.
-    pub grains: Option<(Suspended<'a, D, N>, Part)>,
+    /// bulk V^{2/D}∇·v (Pa) is added to the stress where increments are mapped (kg/(m³ s)): the K_v of segregated schemes.
+    pub bulk: f64,
+    /// Which part of the rows is meant.
+    pub part: Part,
+    /// The grains, if any.
+    pub grains: Option<Suspended<'a, D, N>>,
+}
+
+/// Which part of the rows is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Without constants, with the tangent of the stress: the map of increments.
+    Linear,
+    /// With constants.
+    Affine,
 }
 
 impl<const D: usize, const N: usize> Default for Assembly<D, N> {
     fn default() -> Self {
-        Self { cells: Vec::new(), volumes: Vec::new(), rows: Vec::new() }
+        Self { cells: Vec::new(), tangents: Vec::new(), volumes: Vec::new(), rows: Vec::new() }
     }
 }
 
 impl<const D: usize, const N: usize> Assembly<D, N> {
+    /// Forgets the stresses that the last step arrived at.
+    pub fn begin(&mut self, cells: usize, rheology: &Rheology) {
+        self.tangents.clear();
+        self.tangents.resize(if rheology.is_newtonian() { 0 } else { cells }, Tangent::UNKNOWN);
+    }
+
+    /// Goes on to the stresses of v + δv, as linearised.
+    pub fn advance(&mut self, topology: &Topology<N>, velocity: &[Vector<D>], change: &[Vector<D>]) {
+        let cells = &self.cells;
+        for_each(&mut self.tangents, |index, tangent| {
+            let nodes = topology.cells()[index].map(|node| node as usize);
+            tangent.advance(
+                &cells[index],
+                &nodes.map(|node| velocity[node]),
+                &nodes.map(|node| change[node]),
+            );
+        });
+    }
+
     /// Takes the cells with their corners at places and with velocities; `inertia` is ρ/(θΔt).
     pub fn place(
         &mut self,
@@ -62,6 +97,10 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         });
         self.volumes.resize(topology.pattern().rows(), 0.0);
         let cells = &self.cells;
+        for_each(&mut self.tangents, |index, tangent| {
+            let v = topology.cells()[index].map(|node| velocity[node as usize]);
+            *tangent = tangent.at(&cells[index], &v, rheology);
+        });
         for_each(&mut self.volumes, |node, volume| {
             *volume = topology.corners(node).iter().map(|c| cells[c.cell as usize].volume / N as f64).sum();
         });
@@ -85,22 +124,31 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         momentum: &mut [Vector<D>],
         volume: &mut [f64],
     ) {
-        let Self { cells, volumes, rows } = self;
-        let Fields { velocity, pressure, excess, grains } = fields;
+        let Self { cells, tangents, volumes, rows } = self;
+        let Fields { velocity, pressure, excess, bulk, part, grains } = fields;
         for_each(rows, |index, rows| {
             let nodes = topology.cells()[index].map(|node| node as usize);
-            if let Some((grains, part)) = &grains {
-                let corners = grains.corners(*part, &nodes, (velocity, pressure), excess);
+            if let Some(grains) = &grains {
+                let corners = grains.corners(part, &nodes, (velocity, pressure), excess);
                 *rows = grains.cells[index].rows(&cells[index], &corners, curvature);
                 return;
             }
             let (v, p) = (nodes.map(|node| velocity[node]), nodes.map(|node| pressure[node]));
             *rows = cells[index].rows(&v, &p, &nodes.map(|node| excess[node]), curvature);
+            if part == Part::Affine {
+                return;
+            }
+            if let Some(tangent) = tangents.get(index) {
+                tangent.relieve(&cells[index], &v, &mut rows.0);
+            }
+            if bulk > 0.0 {
+                cells[index].resist_expansion(bulk, &v, &mut rows.0);
+            }
         });
         for_each(momentum, |node, force| {
             *force = excess[node].map(|e| volumes[node] * e);
-            if let Some((grains, part)) = &grains {
-                *force = moved(force, 1.0, &grains.drag(*part, node, &velocity[node]));
+            if let Some(grains) = &grains {
+                *force = moved(force, 1.0, &grains.drag(part, node, &velocity[node]));
             }
             for corner in topology.corners(node) {
                 let other = &rows[corner.cell as usize].0[corner.local as usize];

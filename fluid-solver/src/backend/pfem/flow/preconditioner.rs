@@ -1,11 +1,12 @@
 //! Approximate inverse of the system of a pass.
 
+use super::cell::Cell;
 use super::chunks::for_each;
 use super::constraint::Constraint;
-use super::krylov::{Scratch, StepOperator, split, split_mut};
-use super::nodal::{Assembly, Fields};
+use super::krylov::{StepOperator, split, split_mut};
+use super::nodal::Assembly;
 use super::pressure::Pressure;
-use super::suspended::{Part, Suspended};
+use super::suspended::Suspended;
 use super::topology::Topology;
 use super::velocity::Velocity;
 use crate::backend::pfem::cloud::Cloud;
@@ -14,13 +15,29 @@ use linear::Preconditioner;
 
 /// The parts of the approximate inverse.
 pub struct Preconditioning<const D: usize> {
-    velocity: Velocity,
-    pressure: Pressure,
+    /// Of the block of momentum.
+    pub velocity: Velocity,
+    /// Of the Schur complement of the pressure.
+    pub pressure: Pressure,
     /// (4/3) μ/V_i (Pa/m³ s): what viscosity adds to the inverse of the Schur complement.
     viscous: Vec<f64>,
-    forces: Vec<Vector<D>>,
-    volumes: Vec<f64>,
-    no_pressure: Vec<f64>,
+    /// Scratch, one entry per node.
+    pub forces: Vec<Vector<D>>,
+    /// Scratch, one entry per node.
+    pub volumes: Vec<f64>,
+    /// Zeros.
+    pub no_pressure: Vec<f64>,
+}
+
+/// What a step is divided by.
+#[derive(Clone, Copy)]
+pub struct Rates<const D: usize, const N: usize> {
+    /// ρ/(θΔt) (kg/(m³ s)).
+    pub inertia: f64,
+    /// 1/(κΔt) (1/(Pa s)).
+    pub compressibility: f64,
+    /// What the pressure matrix is a Laplacian of (m³ s/kg), where it is not θΔt/ρ with the drag of grains.
+    pub mobility: Option<fn(&Cell<D, N>) -> f64>,
 }
 
 impl<const D: usize> Preconditioning<D> {
@@ -37,7 +54,7 @@ impl<const D: usize> Preconditioning<D> {
         }
     }
 
-    /// Takes the cells of a pass: ρ/(θΔt) and 1/(κΔt) are those of the step.
+    /// Takes the cells of a pass.
     ///
     /// # Errors
     /// A coefficient that is not finite.
@@ -47,11 +64,17 @@ impl<const D: usize> Preconditioning<D> {
         topology: &Topology<N>,
         assembly: &Assembly<D, N>,
         constraints: &[Constraint<D>],
-        (inertia, compressibility): (f64, f64),
+        rates: Rates<D, N>,
         grains: Option<Suspended<'_, D, N>>,
     ) -> Result<(), linear::Error> {
+        let Rates { inertia, compressibility, mobility } = rates;
         self.velocity.refresh(topology, assembly, constraints, inertia, grains)?;
-        self.pressure.refresh(cloud, assembly, inertia, compressibility, grains)?;
+        let mobility = |index: usize, nodes: &[u32; N]| match (&grains, mobility) {
+            (_, Some(mobility)) => mobility(&assembly.cells[index]),
+            (Some(grains), _) => grains.mobility(index, nodes, inertia),
+            (None, None) => 1.0 / inertia,
+        };
+        self.pressure.refresh(cloud, assembly, mobility, compressibility)?;
         for_each(&mut self.viscous, |node, viscous| {
             let cells = topology.corners(node).iter().map(|corner| &assembly.cells[corner.cell as usize]);
             let shear: f64 = cells.map(|cell| cell.viscosity / N as f64 * cell.volume).sum();
@@ -59,11 +82,6 @@ impl<const D: usize> Preconditioning<D> {
             *viscous = if volume > 0.0 { 4.0 / 3.0 * shear / (volume * volume) } else { 0.0 };
         });
         Ok(())
-    }
-
-    /// φ ← P⁻¹ r.
-    pub fn press(&mut self, r: &[f64], phi: &mut [f64]) {
-        self.pressure.apply(r, phi);
     }
 }
 
@@ -73,32 +91,28 @@ impl<const D: usize> Preconditioning<D> {
 /// v = Â⁻¹(r_v + G p). Ŝ⁻¹ = P⁻¹ + (4/3) μ M⁻¹.
 ///
 /// Source: Cahouet and Chabard, *Int. J. Numer. Meth. Fluids* 8 (1988) 869.
-pub struct StepPreconditioner<'a, const D: usize, const N: usize> {
+pub struct StepPreconditioner<'s, 'a, const D: usize, const N: usize> {
     /// What is to be inverted.
-    pub operator: &'a StepOperator<'a, D, N>,
+    pub operator: &'s StepOperator<'a, D, N>,
     /// The approximate inverses of its blocks.
-    pub parts: &'a mut Preconditioning<D>,
+    pub parts: &'s mut Preconditioning<D>,
 }
 
-impl<const D: usize, const N: usize> Preconditioner for StepPreconditioner<'_, D, N> {
+impl<const D: usize, const N: usize> Preconditioner for StepPreconditioner<'_, '_, D, N> {
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         let ((r_v, r_p), (v, p)) = (split::<D>(r), split_mut::<D>(z));
         let Preconditioning { velocity, pressure, viscous, forces, volumes, no_pressure } = &mut *self.parts;
-        let StepOperator { topology, constraints, inertia, scale, grains, .. } = *self.operator;
-        let Scratch { assembly, excess } = &mut *self.operator.scratch.borrow_mut();
+        let StepOperator { topology, constraints, scale, grains, .. } = *self.operator;
         if velocity.is_viscous() {
             for_each(volumes, |node, volume| *volume = r_p[node] / scale);
         } else {
             velocity.apply(constraints, r_v, v);
-            for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-            let linear = grains.map(|grains| (grains, Part::Linear));
-            let fields = Fields { velocity: v, pressure: no_pressure, excess, grains: linear };
-            assembly.evaluate(topology, fields, 0.0, forces, volumes);
+            self.operator.rows(v, no_pressure, 0.0, forces, volumes);
             for_each(volumes, |node, volume| *volume = r_p[node] / scale - *volume);
         }
         pressure.apply(volumes, p);
         for_each(p, |node, p| *p += viscous[node] * volumes[node]);
-        assembly.pressure_forces(topology, grains, p, forces);
+        self.operator.scratch.borrow().assembly.pressure_forces(topology, grains, p, forces);
         if velocity.is_viscous() {
             for_each(forces, |node, force| *force = std::array::from_fn(|k| force[k] + r_v[node][k]));
             velocity.apply(constraints, forces, v);

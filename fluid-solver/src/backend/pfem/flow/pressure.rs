@@ -1,7 +1,6 @@
 //! Approximate inverse of the Schur complement of the pressure.
 
 use super::nodal::Assembly;
-use super::suspended::Suspended;
 use super::topology::Topology;
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::dot;
@@ -35,7 +34,7 @@ impl Pressure {
         Self { matrix: Csr::zeros(topology.pattern().clone()), solver: None }
     }
 
-    /// Takes the cells of a pass.
+    /// Takes the cells of a pass; `mobility` stands for θΔt/ρ in a cell with these nodes.
     ///
     /// # Errors
     /// A coefficient that is not finite.
@@ -43,14 +42,9 @@ impl Pressure {
         &mut self,
         cloud: &Cloud<D, N>,
         assembly: &Assembly<D, N>,
-        inertia: f64,
+        mobility: impl Fn(usize, &[u32; N]) -> f64,
         compressibility: f64,
-        grains: Option<Suspended<'_, D, N>>,
     ) -> Result<(), linear::Error> {
-        let mobility = |index: usize, nodes: &[u32; N]| match &grains {
-            Some(grains) => grains.mobility(index, nodes, inertia),
-            None => 1.0 / inertia,
-        };
         self.matrix.values_mut().fill(0.0);
         for (index, (nodes, cell)) in cloud.cells.iter().zip(&assembly.cells).enumerate() {
             let mobility = mobility(index, nodes);
@@ -61,18 +55,7 @@ impl Pressure {
                 }
             }
         }
-        cloud.for_each_free_face(|index, opposite| {
-            let (nodes, cell) = (&cloud.cells[index], &assembly.cells[index]);
-            let mobility = mobility(index, nodes);
-            let square = dot(&cell.areas[opposite], &cell.areas[opposite]);
-            let entry = SURFACE * mobility * cell.inverse * square / (D + 1) as f64;
-            for i in (0..N).filter(|&i| i != opposite) {
-                for j in (0..N).filter(|&j| j != opposite) {
-                    let twice = if i == j { 2.0 } else { 1.0 };
-                    self.matrix.add(nodes[i] as usize, nodes[j] as usize, twice * entry);
-                }
-            }
-        });
+        for_each_surface_entry(cloud, assembly, mobility, |i, j, entry| self.matrix.add(i, j, entry));
         for (node, volume) in assembly.volumes.iter().enumerate() {
             let diagonal = self.matrix.get(node, node);
             let more = if diagonal > 0.0 { compressibility * volume + LEVEL * diagonal } else { 1.0 };
@@ -103,4 +86,24 @@ impl Pressure {
             None => z.copy_from_slice(r),
         }
     }
+}
+
+/// Calls `visit` with i, j and ∫(2m/h_n)N_i N_j over each face of the free surface, m being the mobility of its cell.
+pub fn for_each_surface_entry<const D: usize, const N: usize>(
+    cloud: &Cloud<D, N>,
+    assembly: &Assembly<D, N>,
+    mobility: impl Fn(usize, &[u32; N]) -> f64,
+    mut visit: impl FnMut(usize, usize, f64),
+) {
+    cloud.for_each_free_face(|index, opposite| {
+        let (nodes, cell) = (&cloud.cells[index], &assembly.cells[index]);
+        let square = dot(&cell.areas[opposite], &cell.areas[opposite]);
+        let entry = SURFACE * mobility(index, nodes) * cell.inverse * square / (D + 1) as f64;
+        for i in (0..N).filter(|&i| i != opposite) {
+            for j in (0..N).filter(|&j| j != opposite) {
+                let twice = if i == j { 2.0 } else { 1.0 };
+                visit(nodes[i] as usize, nodes[j] as usize, twice * entry);
+            }
+        }
+    });
 }

@@ -3,8 +3,9 @@
 use super::chunks::for_each;
 use super::contact::moved;
 use super::krylov::split_mut;
-use super::nodal::Fields;
-use super::preconditioner::Preconditioning;
+use super::nodal::{Fields, Part};
+use super::preconditioner::{Preconditioning, Rates};
+use super::setting::Fluid;
 use super::solve::{Flow, Start};
 use super::topology::Topology;
 use crate::element::simplex::Vector;
@@ -21,32 +22,39 @@ pub struct Projected<const D: usize> {
 }
 
 impl<const D: usize, const N: usize> Flow<D, N> {
+    /// Whether the divergence of v_n is to go first: what grains leave that move, and what pressure compresses, is due; a
+    /// yield stress has steps of θ = 1, which turn nothing round.
+    pub(super) fn projects(&self, start: Start<'_, D, N>) -> bool {
+        let Fluid { rheology, bulk_modulus, .. } = &self.fluid;
+        let is_due = start.forces.grains.is_some() || bulk_modulus.is_some();
+        !is_due && rheology.is_newtonian() && self.scheme.projects()
+    }
+
     /// v = v_n + (θΔt/ρV_i) ∫φ∇N_i in the free directions with Pφ = −∫N∇·v_n on the mesh at t_n.
     ///
     /// Blows and changes of the mesh leave a divergence in v_n. The midpoint rule has ∇·v_m = 0 and v_{n+1} = 2v_m − v_n: it would
     /// turn it round in each step for ever, with pressures that alternate and grow. The constraint takes this part of v_n anyway,
-    /// so v_m is the same without it. P is the approximate inverse of the step: what it leaves goes in the next ones. Grains
-    /// that move leave a divergence that is due: with them v_n stays.
+    /// so v_m is the same without it. P is the approximate inverse of the step: what it leaves goes in the next ones.
     pub(super) fn project(
         &mut self,
         start: Start<'_, D, N>,
         (topology, preconditioning): &mut (Topology<N>, Preconditioning<D>),
     ) -> Result<(), linear::Error> {
-        let Start { cloud, walls, step, forces } = start;
-        let nodes = cloud.place.len();
+        let Start { cloud, walls, step, .. } = start;
+        let (nodes, projects) = (cloud.place.len(), self.projects(start));
         let Projected { velocity, blow, divergence, blow_pressure } = &mut self.projected;
         velocity.clone_from(&cloud.velocity);
         blow.clear();
         blow.resize(nodes, [0.0; D]);
-        if forces.grains.is_some() {
+        if !projects {
             return Ok(());
         }
         self.contact.constrain(cloud, walls, step, velocity);
         let inertia = self.fluid.density / (self.implicitness * step.length);
         let rheology = &self.fluid.rheology;
         self.assembly.place(topology, |node| cloud.place[node], velocity, inertia, rheology);
-        let rates = (inertia, self.fluid.bulk_modulus.map_or(0.0, |modulus| 1.0 / (modulus * step.length)));
         let constraints = &self.contact.constraints;
+        let rates = Rates { inertia, compressibility: 0.0, mobility: None };
         preconditioning.refresh(cloud, topology, &self.assembly, constraints, rates, None)?;
 
         divergence.resize(nodes, 0.0);
@@ -54,10 +62,17 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         blow_pressure.resize(nodes, 0.0);
         self.excess.fill([0.0; D]);
         let (forces, _) = split_mut::<D>(&mut self.rows);
-        let fields = Fields { velocity, pressure: blow_pressure, excess: &self.excess, grains: None };
+        let fields = Fields {
+            velocity,
+            pressure: blow_pressure,
+            excess: &self.excess,
+            bulk: 0.0,
+            part: Part::Linear,
+            grains: None,
+        };
         self.assembly.evaluate(topology, fields, 0.0, forces, divergence);
         for_each(divergence, |_, rate| *rate = -*rate);
-        preconditioning.press(divergence, blow_pressure);
+        preconditioning.pressure.apply(divergence, blow_pressure);
         self.assembly.pressure_forces(topology, None, blow_pressure, blow);
         let volumes = &self.assembly.volumes;
         for_each(velocity, |node, v| {

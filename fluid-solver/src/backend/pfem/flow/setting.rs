@@ -1,6 +1,7 @@
 //! What a flow is of, and what acts on it.
 
 use super::rheology::Rheology;
+use super::scheme::Scheme;
 use super::strain::Strain;
 use crate::element::simplex::Vector;
 use crate::grains::Suspension;
@@ -19,18 +20,20 @@ pub struct Fluid {
 /// How accurate a step is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Control {
-    /// Norm of the residual relative to that of the predictor and of the inertia of the flow.
+    /// Norm of the residual relative to that of the predictor and of the inertia and stresses of the flow.
     pub tolerance: f64,
     /// θ: v_m = v_n + θΔt v′ and v_{n+1} = v_n + Δt v′. One half is of second order and keeps the energy; more damps what
     /// rings from step to step, 1 takes all that an impact leaves.
     pub implicitness: f64,
+    /// How velocity and pressure are found.
+    pub scheme: Scheme,
     /// How far a cell may be strained in a step.
     pub strain: Strain,
 }
 
 impl Default for Control {
     fn default() -> Self {
-        Self { tolerance: 1e-6, implicitness: 0.5, strain: Strain::default() }
+        Self { tolerance: 1e-6, implicitness: 0.5, scheme: Scheme::default(), strain: Strain::default() }
     }
 }
 

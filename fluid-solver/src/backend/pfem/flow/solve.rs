@@ -5,8 +5,9 @@ use super::fault::FlowFault;
 use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::Assembly;
 use super::porous::Porous;
-use super::preconditioner::{Preconditioning, StepPreconditioner};
+use super::preconditioner::{Preconditioning, Rates};
 use super::projection::Projected;
+use super::scheme::{Correct, Iterate, Verdict};
 use super::setting::{Control, Fluid, Forces};
 use super::solution::{FlowSolution, Residuals};
 use super::suspended::Suspended;
@@ -15,15 +16,9 @@ use crate::backend::Step;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::Vector;
-use linear::{FlexibleGmres, Stopping, vector};
+use linear::vector;
 use std::cell::RefCell;
 
-/// Linear iterations between restarts, and the most of a pass.
-const ITERATIONS: [usize; 2] = [40, 400];
-/// The most passes of a step, with one viscosity and with one that depends on the rate of shear.
-const PASSES: [u64; 2] = [20, 200];
-/// What a linear solve leaves of the residual that it began with, at most: geometry and viscosity change after it anyway.
-const FORCING: [f64; 2] = [0.02, 0.1];
 /// A time after all others (s) whose third power is a number.
 const NEVER: f64 = 1e60;
 /// Least θ with grains: the divergence of v_m follows them from step to step, and the middle of a step would turn what it
@@ -71,7 +66,7 @@ pub struct Flow<const D: usize, const N: usize> {
     /// Their negative in the free directions.
     pub(super) right: Vec<f64>,
     increment: Vec<f64>,
-    krylov: FlexibleGmres,
+    pub(super) scheme: Box<dyn Correct<D, N>>,
 }
 
 /// How far a solution has come.
@@ -98,7 +93,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             rows: Vec::new(),
             right: Vec::new(),
             increment: Vec::new(),
-            krylov: FlexibleGmres::new(0, ITERATIONS[0]),
+            scheme: control.scheme.solver(),
         }
     }
 
@@ -136,11 +131,14 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         forces: &Forces<'_, D>,
     ) -> Result<FlowSolution<D>, FlowFault> {
         let start = Start { cloud, walls, step, forces };
+        let stated = self.scheme.implicitness(self.control.implicitness);
         self.implicitness = match &forces.grains {
             // The middle of a step would turn the part of v round that a blow takes away.
             _ if cloud.struck => 1.0,
-            Some(_) => self.control.implicitness.max(WITH_GRAINS),
-            None => self.control.implicitness,
+            // What a yield stress has stopped would be turned round in each step.
+            None if !self.fluid.rheology.is_newtonian() => 1.0,
+            Some(_) => stated.max(WITH_GRAINS),
+            None => stated,
         };
         let nodes = cloud.place.len();
         let mut mesh = match self.mesh.take() {
@@ -155,6 +153,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         for rows in [&mut self.rows, &mut self.right, &mut self.increment] {
             rows.resize((D + 1) * nodes, 0.0);
         }
+        self.assembly.begin(cloud.cells.len(), &self.fluid.rheology);
         self.contact.begin(cloud);
         self.contact.release(cloud, walls, step);
         self.project(start, &mut mesh)?;
@@ -192,8 +191,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let Start { cloud, walls, step, .. } = start;
         let inertia = self.inertia(step);
         let compressibility = self.compressibility(step);
-        let plastic = usize::from(!self.fluid.rheology.is_newtonian());
+        let is_plastic = !self.fluid.rheology.is_newtonian();
         let (mut progress, mut target) = (Progress::default(), 0.0);
+        let (mut change, mut met) = (f64::INFINITY, 0);
+        let projects = self.projects(start);
         loop {
             self.contact.constrain(cloud, walls, step, velocity);
             for (v, constraint) in velocity.iter_mut().zip(&self.contact.constraints) {
@@ -204,7 +205,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
             let implicitness = self.implicitness;
-            let Self { assembly, excess, porous, contact, right, increment, rows, krylov, .. } = self;
+            let Self { assembly, excess, porous, contact, right, increment, rows, scheme, .. } = self;
             let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
@@ -228,37 +229,33 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 target = self.control.tolerance * (norm + momentum_size);
             }
             let allowed = target.max(ROUND_OFF * force_size);
-            if norm <= allowed {
-                let [momentum, volume] = sizes.map(|size| size / (momentum_size + force_size).max(norm));
-                progress.residuals = Residuals { momentum, volume };
-                return Ok(progress);
+            let [momentum, volume] = sizes.map(|size| size / (momentum_size + force_size).max(norm));
+            progress.residuals = Residuals { momentum, volume };
+            let Progress { passes, iterations, .. } = progress;
+            let iterate = Iterate { passes, residual: norm, allowed, change, met, is_plastic };
+            match scheme.judge(&iterate) {
+                Verdict::Done => return Ok(progress),
+                Verdict::Again => {}
+                Verdict::Failed => {
+                    let (time, target) = (step.time, allowed);
+                    return Err(FlowFault::NotConverged { time, passes, iterations, residual: norm, target });
+                }
             }
-            if progress.passes == PASSES[plastic] {
-                let Progress { passes, iterations, .. } = progress;
-                return Err(FlowFault::NotConverged {
-                    time: step.time,
-                    passes,
-                    iterations,
-                    residual: norm,
-                    target: allowed,
-                });
-            }
-            if plastic == 1 || grains.is_some() && progress.passes == 0 {
+            if is_plastic || passes == 0 && !projects {
                 let assembly = &operator.scratch.borrow().assembly;
-                let rates = (inertia, compressibility);
+                let rates = Rates { inertia, compressibility, mobility: scheme.mobility() };
                 preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;
             }
-            increment.fill(0.0);
-            let absolute = (FORCING[plastic] * norm).max(0.5 * allowed);
-            let stopping = Stopping { relative: 0.0, absolute, iterations: ITERATIONS[1] };
-            let mut preconditioner = StepPreconditioner { operator: &operator, parts: preconditioning };
-            let outcome = krylov.solve(&operator, &mut preconditioner, right, increment, stopping);
-            progress.iterations += outcome.iterations as u64;
+            progress.iterations += scheme.correct(&iterate, &operator, preconditioning, right, increment);
             progress.passes += 1;
             let (dv, dp) = split::<D>(increment);
+            operator.scratch.borrow_mut().assembly.advance(topology, velocity, dv);
             vector::axpy(1.0, dv.as_flattened(), velocity.as_flattened_mut());
             vector::axpy(1.0, dp, pressure);
-            self.contact.find(cloud, walls, step, velocity);
+            let share =
+                |change: &[f64], of: &[f64]| vector::norm(change) / vector::norm(of).max(f64::MIN_POSITIVE);
+            change = share(dv.as_flattened(), velocity.as_flattened()).max(share(dp, pressure));
+            met = self.contact.find(cloud, walls, step, velocity);
         }
     }
 

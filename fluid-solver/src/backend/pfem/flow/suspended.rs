@@ -1,18 +1,10 @@
 //! The grains of a step, as its rows see them.
 
 use super::cell::Cell;
+use super::nodal::Part;
 use super::porous::{Corners, Porous};
 use crate::element::simplex::Vector;
 use crate::grains::{Compliance, Suspension};
-
-/// Which part of the affine rows is meant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Without constants: the map of increments.
-    Linear,
-    /// With constants.
-    Affine,
-}
 
 /// Grains among the nodes of a step, and the cells that they make porous.
 #[derive(Clone, Copy)]

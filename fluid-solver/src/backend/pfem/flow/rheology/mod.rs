@@ -10,6 +10,9 @@ pub use newtonian::Newtonian;
 pub trait Law {
     /// μ (Pa s) at γ̇ = √(2 ε:ε) (1/s), ε being the symmetric part of ∇v.
     fn viscosity(&self, shear_rate: f64) -> f64;
+
+    /// −γ̇ dμ/dγ̇ (Pa s): μ of what is purely plastic, 0 where one viscosity holds.
+    fn softening(&self, shear_rate: f64) -> f64;
 }
 
 /// The laws.
@@ -33,6 +36,13 @@ impl Law for Rheology {
         match self {
             Self::Newtonian(law) => law.viscosity(shear_rate),
             Self::HerschelBulkley(law) => law.viscosity(shear_rate),
+        }
+    }
+
+    fn softening(&self, shear_rate: f64) -> f64 {
+        match self {
+            Self::Newtonian(law) => law.softening(shear_rate),
+            Self::HerschelBulkley(law) => law.softening(shear_rate),
         }
     }
 }

@@ -13,4 +13,8 @@ impl Law for Newtonian {
     fn viscosity(&self, _shear_rate: f64) -> f64 {
         self.viscosity
     }
+
+    fn softening(&self, _shear_rate: f64) -> f64 {
+        0.0
+    }
 }
