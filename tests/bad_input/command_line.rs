@@ -33,7 +33,7 @@ fn the_solvers_refuse_a_command_line_in_one_line_too() {
     let folder = Folder::new();
     for (solver, tasks) in [
         (DEM, "allowed: run, export, validate, bench, stress; see --help"),
-        (FLUID, "allowed: run; see --help"),
+        (FLUID, "allowed: run, bench, stress; see --help"),
     ] {
         for (argument, parts) in [
             ("rnu", ["unrecognized subcommand 'rnu'", tasks]),

@@ -33,6 +33,7 @@ cases! {
     bonded_beam "bonded-beam"
     collapse_50 "collapse-50"
     dam_break "dam-break"
+    dam_break_obstacle "dam-break-obstacle"
     falling_cylinder "falling-cylinder"
     filling_container "filling-container"
     fluidised_bed "fluidised-bed"

@@ -138,7 +138,7 @@ fn impacts(effort: Effort) -> Vec<Trial> {
         let end = if effort == Effort::Quick { 0.2 } else { 0.6 };
         Trial::new("impact", format!("drop at {speed} m/s"), (1e-3 / speed.max(1.0), end), expected, scene)
     };
-    let far = plane("far wall", [0.584, 0.0], [-1.0, 0.0]);
+    let far = plane("far-wall", [0.584, 0.0], [-1.0, 0.0]);
     let dam = tank([0.0, 0.0], [0.146, 0.292], 0.0146, "", &["x-min", "y-min"], &far);
     let end = if effort == Effort::Quick { 0.8 } else { 3.0 };
     let dam = Trial::new("impact", "dam break against a wall", (1e-3, end), expected, dam);
@@ -150,7 +150,7 @@ fn flights() -> Vec<Trial> {
     let expected = Expected::Run { volume_error: 1e-3, speed: MOVING };
     let turning = "velocity = { expression = [\"-10*y\", \"10*x\"] }\n";
     let blob = tank([-0.1, -0.1], [0.1, 0.1], 0.02, "", &[], "");
-    let jet = tank([0.0, 0.5], [0.5, 0.51], 0.02, "", &[], &plane("floor", [0.0, 0.0], [0.0, 1.0]));
+    let jet = tank([0.0, 0.5], [0.5, 0.51], 0.01, "", &[], &plane("floor", [0.0, 0.0], [0.0, 1.0]));
     vec![
         Trial::new(
             "flight",
@@ -159,7 +159,7 @@ fn flights() -> Vec<Trial> {
             expected,
             format!("{turning}{blob}"),
         ),
-        Trial::new("flight", "a sheet of half a cell onto a floor", (1e-3, 0.5), expected, jet),
+        Trial::new("flight", "a sheet of one cell onto a floor", (1e-3, 0.5), expected, jet),
     ]
 }
 
@@ -175,9 +175,9 @@ fn long(effort: Effort) -> Vec<Trial> {
 /// Walls that end, and bubbles that cannot leave.
 fn edges() -> Vec<Trial> {
     let expected = Expected::Run { volume_error: 1e-2, speed: MOVING };
-    let far = plane("far wall", [0.584, 0.0], [-1.0, 0.0]);
+    let far = plane("far-wall", [0.584, 0.0], [-1.0, 0.0]);
     let obstacle = "[[fluid.boundary]]\non = [\"obstacle\"]\nkind = \"slip\"\n[[wall]]\nname = \"obstacle\"\n\
-         polyline = { points = [[\"0.316 m\", \"-0.05 m\"], [\"0.316 m\", \"0.048 m\"], [\"0.292 m\", \"0.048 m\"], [\"0.292 m\", \"-0.05 m\"]] }\n";
+         polyline = { points = [[\"0.292 m\", \"-0.05 m\"], [\"0.292 m\", \"0.048 m\"], [\"0.316 m\", \"0.048 m\"], [\"0.316 m\", \"-0.05 m\"]] }\n";
     let lid = plane("lid", [0.0, 0.3], [0.0, -1.0]);
     let dam = |further: String| tank([0.0, 0.0], [0.146, 0.292], 0.0146, "", &["x-min", "y-min"], &further);
     vec![

@@ -23,9 +23,6 @@ const ALPHA: f64 = 1.25;
 const TOUCHING: f64 = 1e-6;
 /// Nodes are at most this many target sizes apart at the start.
 const SPARSE: f64 = 2.5;
-/// θ with gates: what a node that is put back leaves of divergence in v would else be turned round by each step, for ever.
-const WITH_GATES: f64 = 0.6;
-
 /// The fluid of a case.
 ///
 /// # Errors
@@ -85,10 +82,7 @@ fn backend<const D: usize, const N: usize>(
     };
     let rheology = flow::Rheology::Newtonian(flow::Newtonian { viscosity: fluid.viscosity.si() });
     let properties = flow::Fluid { density: fluid.density.si(), rheology, bulk_modulus: None };
-    let mut control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
-    if !(openings.is_empty() && outlets.is_empty()) {
-        control.implicitness = WITH_GATES;
-    }
+    let control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
     Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal, Gates::new(outlets)))
 }
 

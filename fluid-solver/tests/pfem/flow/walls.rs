@@ -153,3 +153,24 @@ fn a_drop_that_slides_off_a_shelf_falls() {
     assert!((heights[7] + 0.5 * G * 0.04 * 0.04).abs() < 1e-12, "{heights:?}");
     assert!((cloud.place[0][0] - 0.135).abs() < 1e-12 && cloud.contacts[0].is_empty());
 }
+
+#[test]
+fn a_drop_that_slides_into_a_corner_rests_in_it() {
+    // The floor ends where the face of a block stands on it; the floor behind the block is another.
+    let corners = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.05], [0.12, 0.05], [0.12, 0.0], [0.2, 0.0]];
+    let ground = patches::<2>(&corners.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>());
+    let walls: Vec<Wall<2>> =
+        ground.into_iter().map(|patch| Wall::new("ground", Shape::Patch(patch), Grip::Slip)).collect();
+    let mut cloud = block::<2, 3>([1.0, 1.0], [1, 1], 0.0);
+    (cloud.cells, cloud.neighbours) = (Vec::new(), Vec::new());
+    for x in &mut cloud.place {
+        *x = [0.055, 0.0];
+    }
+    cloud.velocity.fill([1.0, 0.0]);
+    cloud.drop.fill(1e-6);
+    touch(&mut cloud, &walls);
+    advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.01, 0..8, |_, _| ());
+    for (x, v) in cloud.place.iter().zip(&cloud.velocity) {
+        assert!((x[0] - 0.1).abs() < 1e-15 && x[1].abs() < 1e-15 && *v == [0.0; 2], "{x:?} {v:?}");
+    }
+}

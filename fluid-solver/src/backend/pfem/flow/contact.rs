@@ -9,6 +9,9 @@ use crate::element::simplex::{Vector, dot};
 /// A node that slides past an edge lets go of the wall where its normal turns by more than the angle of this cosine.
 const EDGE: f64 = 0.7;
 
+/// So often a node in a corner is put where the walls of it leave it, and these are looked at from there.
+const SWEEPS: usize = 3;
+
 /// A gap above minus this share of the way of a node is none.
 const TOUCHING: f64 = 1e-12;
 
@@ -58,7 +61,7 @@ impl<const D: usize> Contact<D> {
         self.constraints.resize(cloud.place.len(), Constraint::FREE);
     }
 
-    /// Lets go of the walls past whose edges nodes slide when they go on as they do.
+    /// Lets go of the walls past whose edges nodes slide when they go on as they do; what another wall stops goes nowhere.
     pub fn release<const N: usize>(&mut self, cloud: &Cloud<D, N>, walls: &[Wall<D>], step: Step) {
         for (node, touched) in self.touched.iter_mut().enumerate().filter(|(_, touched)| !touched.is_empty())
         {
@@ -70,16 +73,19 @@ impl<const D: usize> Contact<D> {
                 let before = walls[wall].touch(place, step.time);
                 let apart = dot(&before.normal, v) - dot(&before.normal, &before.velocity);
                 let along = moved(v, -apart, &before.normal);
-                let after = walls[wall].touch(&moved(place, step.length, &along), step.end());
-                if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE {
+                let end = moved(place, step.length, &along);
+                let after = walls[wall].touch(&end, step.end());
+                let stopped = || walls.iter().any(|other| other.gap(&end, step.end()) < 0.0);
+                if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE && !stopped() {
                     touched.remove(wall);
                 }
             }
         }
     }
 
-    /// Prescribes v_m such that the gaps at the end vanish: n·v_m = n·v − gap(x_n + Δt v)/Δt, linear about the iterate v;
-    /// a node that sticks has the velocity of the wall in the middle of the step, one in an inlet that of what comes in.
+    /// Prescribes v_m such that the gaps at the end vanish: n·v_m = n·v − gap(x_n + Δt v)/Δt, linear about the iterate v, or
+    /// in a corner about the place that the walls of it leave; a node that sticks has the velocity of the wall in the middle of the step,
+    /// one in an inlet that of what comes in.
     pub fn constrain<const N: usize>(
         &mut self,
         cloud: &Cloud<D, N>,
@@ -102,11 +108,19 @@ impl<const D: usize> Contact<D> {
             if let Some(wall) = gripping {
                 v = walls[wall].touch(&moved(place, 0.5 * step.length, &v), middle).velocity;
             }
-            let mut constraint = Constraint::FREE;
-            for wall in touched.iter() {
-                let touch = walls[wall].touch(&moved(place, step.length, &v), step.end());
-                let along = dot(&touch.normal, &v);
-                constraint.add(&touch.normal, along - touch.gap / step.length);
+            let hold = |v: &Vector<D>| {
+                let mut constraint = Constraint::FREE;
+                for wall in touched.iter() {
+                    let touch = walls[wall].touch(&moved(place, step.length, v), step.end());
+                    constraint.add(&touch.normal, dot(&touch.normal, v) - touch.gap / step.length);
+                }
+                constraint
+            };
+            let mut constraint = hold(&v);
+            // From beyond the edge of a corner a wall is not seen as from within it.
+            for _ in 0..if touched.iter().nth(1).is_some() { SWEEPS } else { 0 } {
+                v = constraint.impose(&v);
+                constraint = hold(&v);
             }
             if gripping.is_some() {
                 constraint.complete(&v);
@@ -131,8 +145,8 @@ impl<const D: usize> Contact<D> {
             }
             let end = moved(&cloud.place[node], step.length, &v[node]);
             let way = step.length * v[node].iter().map(|v| v.abs()).sum::<f64>();
-            for (index, wall) in walls.iter().enumerate().filter(|(_, wall)| wall.inflow.is_none()) {
-                if !touched.contains(index) && wall.touch(&end, step.end()).gap < -TOUCHING * way {
+            for (index, wall) in walls.iter().enumerate() {
+                if !touched.contains(index) && wall.gap(&end, step.end()) < -TOUCHING * way {
                     touched.insert(index);
                     found += 1;
                 }

@@ -33,7 +33,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             self.assembly.share_volume(topology, &self.porous);
         }
         for_each(&mut self.excess, |node, e| {
-            let (v, before) = (&velocity[node], &cloud.velocity[node]);
+            let (v, before) = (&velocity[node], &self.projected.velocity[node]);
             *e = std::array::from_fn(|k| inertia * (v[k] - before[k]) - density * forces.gravity[k]);
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);

@@ -4,7 +4,7 @@ use super::contact::moved;
 use super::krylov::split;
 use super::solution::FlowSolution;
 use super::solve::{Flow, Progress, Start};
-use crate::element::simplex::Vector;
+use crate::element::simplex::{Vector, difference};
 
 impl<const D: usize, const N: usize> Flow<D, N> {
     /// The velocity at the end, and what the walls did.
@@ -22,6 +22,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let (rows, _) = split::<D>(&self.rows);
         let volumes = self.assembly.volumes.iter().zip(&cloud.drop);
         let mass: Vec<f64> = volumes.map(|(volume, drop)| self.fluid.density * (volume + drop)).collect();
+        let projected = &self.projected;
         let is_free = |node: usize| self.contact.touched[node].is_empty();
         // Of the velocity at the end.
         let drag = |node: usize| forces.grains.map_or(0.0, |grains| grains.drag.resistance[node]);
@@ -29,12 +30,16 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         for node in (0..mass.len()).filter(|&node| is_free(node)) {
             resistance += self.fluid.density * self.assembly.volumes[node] / step.length + drag(node);
             left = moved(&left, 1.0, &rows[node]);
+            // The masses of the middle are not those that the blow had at t_n.
+            let gained = difference(&projected.velocity[node], &cloud.velocity[node]);
+            left = moved(&left, mass[node] / step.length, &gained);
+            left = moved(&left, -self.implicitness, &projected.blow[node]);
         }
         let drift = left.map(|left| if resistance > 0.0 { left / resistance } else { 0.0 });
-        let mut end_velocity = cloud.velocity.clone();
+        let mut end_velocity = projected.velocity.clone();
         let mut reaction = vec![[0.0; D]; mass.len()];
         for node in 0..mass.len() {
-            let (before, middle) = (&cloud.velocity[node], &velocity[node]);
+            let (before, middle) = (&projected.velocity[node], &velocity[node]);
             let flies = self.assembly.volumes[node] == 0.0;
             let implicitness = if flies { 0.5 } else { self.implicitness };
             let change: Vector<D> = std::array::from_fn(|k| (middle[k] - before[k]) / implicitness);
@@ -54,8 +59,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 std::array::from_fn(|k| mass[node] * change[k] / step.length - rows[node][k])
             };
             reaction[node] = std::array::from_fn(|k| {
-                let inertia = mass[node] * (end[k] - before[k]) / step.length;
-                inertia + drag(node) * (end[k] - unheld[k]) - other[k]
+                let inertia = mass[node] * (end[k] - cloud.velocity[node][k]) / step.length;
+                let blow = self.implicitness * projected.blow[node][k];
+                inertia + drag(node) * (end[k] - unheld[k]) - other[k] - blow
             });
         }
         FlowSolution {

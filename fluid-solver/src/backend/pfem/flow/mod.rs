@@ -20,6 +20,7 @@ mod nodal;
 mod porous;
 mod preconditioner;
 mod pressure;
+mod projection;
 mod rheology;
 mod setting;
 mod solution;

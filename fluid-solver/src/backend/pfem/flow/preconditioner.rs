@@ -60,6 +60,11 @@ impl<const D: usize> Preconditioning<D> {
         });
         Ok(())
     }
+
+    /// φ ← P⁻¹ r.
+    pub fn press(&mut self, r: &[f64], phi: &mut [f64]) {
+        self.pressure.apply(r, phi);
+    }
 }
 
 /// An incomplete block factorisation.

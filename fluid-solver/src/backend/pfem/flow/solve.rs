@@ -6,6 +6,7 @@ use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::Assembly;
 use super::porous::Porous;
 use super::preconditioner::{Preconditioning, StepPreconditioner};
+use super::projection::Projected;
 use super::setting::{Control, Fluid, Forces};
 use super::solution::{FlowSolution, Residuals};
 use super::suspended::Suspended;
@@ -63,6 +64,7 @@ pub struct Flow<const D: usize, const N: usize> {
     pub(super) assembly: Assembly<D, N>,
     pub(super) contact: Contact<D>,
     pub(super) excess: Vec<Vector<D>>,
+    pub(super) projected: Projected<D>,
     pub(super) porous: Vec<Porous<D, N>>,
     /// The rows at the iterate.
     pub(super) rows: Vec<f64>,
@@ -91,6 +93,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             assembly: Assembly::default(),
             contact: Contact::default(),
             excess: Vec::new(),
+            projected: Projected::default(),
             porous: Vec::new(),
             rows: Vec::new(),
             right: Vec::new(),
@@ -154,7 +157,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         }
         self.contact.begin(cloud);
         self.contact.release(cloud, walls, step);
-        let (mut velocity, mut pressure) = (cloud.velocity.clone(), cloud.pressure.clone());
+        self.project(start, &mut mesh)?;
+        let (mut velocity, mut pressure) = (self.projected.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
         let progress = self.improve(start, &mut mesh, &mut velocity, &mut pressure);
         self.mesh = Some(mesh);
@@ -236,7 +240,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                     target: allowed,
                 });
             }
-            if progress.passes == 0 || plastic == 1 {
+            if plastic == 1 || grains.is_some() && progress.passes == 0 {
                 let assembly = &operator.scratch.borrow().assembly;
                 let rates = (inertia, compressibility);
                 preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;

@@ -121,6 +121,10 @@ impl Remesher<2, 3> {
             self.take_cells(cloud);
         }
         transfer::keep_momentum(cloud, &self.draft.mass, momentum, &mut self.volumes);
+        if events.impact() {
+            let surplus = energy(cloud).kinetic - energy_before.kinetic;
+            transfer::take_surplus(cloud, &self.draft.mass, &self.volumes, surplus);
+        }
         books.volume.cells = volume(cloud);
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));

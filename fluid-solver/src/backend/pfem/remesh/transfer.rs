@@ -2,7 +2,7 @@
 
 use super::draft::nodal_volumes;
 use crate::backend::pfem::cloud::Cloud;
-use crate::element::simplex::Vector;
+use crate::element::simplex::{Vector, difference, dot};
 
 /// Momentum per density: Σ m_i v_i, m_i a node's share of its cells, or its drop.
 pub fn momentum<const D: usize>(volumes: &[f64], velocity: &[Vector<D>]) -> Vector<D> {
@@ -27,19 +27,57 @@ pub fn keep_momentum<const D: usize, const N: usize>(
 ) {
     nodal_volumes(cloud, volumes);
     let after = momentum(volumes, &cloud.velocity);
-    let free = |node: usize| cloud.contacts[node].is_empty() && volumes[node] > 0.0;
-    let changed = |node: usize| (volumes[node] - mass[node]).abs() > 1e-12 * volumes[node];
+    let Cloud { contacts, velocity, .. } = cloud;
     for strict in [true, false] {
-        let chosen = |node: usize| free(node) && (!strict || changed(node));
+        let free = |node: usize| contacts[node].is_empty() && volumes[node] > 0.0;
+        let chosen = |node: usize| free(node) && (!strict || has_changed(mass, volumes, node));
         let sum: f64 = (0..volumes.len()).filter(|&node| chosen(node)).map(|node| volumes[node]).sum();
         if sum > 0.0 {
             let given: Vector<D> = std::array::from_fn(|k| (before[k] - after[k]) / sum);
             for node in (0..volumes.len()).filter(|&node| chosen(node)) {
-                for k in 0..D {
-                    cloud.velocity[node][k] += given[k];
-                }
+                (0..D).for_each(|k| velocity[node][k] += given[k]);
             }
             return;
         }
     }
+}
+
+/// Takes a surplus of ∫ ½ |v|² dV that volume gained in a blow has brought with it: the nodes whose volume changed and that
+/// touch no wall lose relative velocity, (v − v̄) → s (v − v̄) with s² = 1 − surplus/Σ ½ m |v − v̄|² ≥ 0, and keep their momentum.
+pub fn take_surplus<const D: usize, const N: usize>(
+    cloud: &mut Cloud<D, N>,
+    mass: &[f64],
+    volumes: &[f64],
+    surplus: f64,
+) {
+    let Cloud { contacts, velocity, .. } = cloud;
+    let weight = |node: usize| {
+        let chosen = contacts[node].is_empty() && has_changed(mass, volumes, node);
+        if chosen { volumes[node] } else { 0.0 }
+    };
+    let (mut sum, mut mean) = (0.0, [0.0; D]);
+    for (node, v) in velocity.iter().enumerate() {
+        let m = weight(node);
+        sum += m;
+        (0..D).for_each(|k| mean[k] += m * v[k]);
+    }
+    mean = mean.map(|momentum| momentum / sum);
+    let relative = |(node, v): (usize, &Vector<D>)| {
+        let d = difference(v, &mean);
+        0.5 * weight(node) * dot(&d, &d)
+    };
+    let available: f64 = velocity.iter().enumerate().map(relative).sum();
+    if surplus <= 0.0 || available <= 0.0 {
+        return;
+    }
+    let left = (1.0 - surplus / available).max(0.0).sqrt();
+    for (node, v) in velocity.iter_mut().enumerate() {
+        if weight(node) > 0.0 {
+            *v = std::array::from_fn(|k| mean[k] + left * (v[k] - mean[k]));
+        }
+    }
+}
+
+fn has_changed(mass: &[f64], volumes: &[f64], node: usize) -> bool {
+    (volumes[node] - mass[node]).abs() > 1e-12 * volumes[node]
 }

@@ -93,6 +93,10 @@ impl SpaceRemesher {
             tetrahedra.take(cloud, draft);
         }
         transfer::keep_momentum(cloud, &draft.mass, momentum, volumes);
+        if events.impact() {
+            let surplus = energy(cloud).kinetic - energy_before.kinetic;
+            transfer::take_surplus(cloud, &draft.mass, volumes, surplus);
+        }
         book.cells = volume(cloud);
         book.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));
