@@ -12,6 +12,9 @@ const EDGE: f64 = 0.7;
 /// So often a node in a corner is put where the walls of it leave it, and these are looked at from there.
 const SWEEPS: usize = 3;
 
+/// A drop flies away from a wall with more than this share of its speed.
+const AWAY: f64 = 1e-9;
+
 /// A gap above minus this share of the way of a node is none.
 const TOUCHING: f64 = 1e-12;
 
@@ -79,6 +82,17 @@ impl<const D: usize> Contact<D> {
                 if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE && !stopped() {
                     touched.remove(wall);
                 }
+            }
+        }
+    }
+
+    /// Lets a drop go that flies away from the walls it touches: nothing sucks it back.
+    pub fn let_fly(&mut self, walls: &[Wall<D>], step: Step, node: usize, place: &Vector<D>, v: &Vector<D>) {
+        let speed = dot(v, v).sqrt();
+        for wall in self.touched[node].iter() {
+            let touch = walls[wall].touch(place, step.time);
+            if dot(&touch.normal, v) - dot(&touch.normal, &touch.velocity) > AWAY * speed {
+                self.touched[node].remove(wall);
             }
         }
     }
