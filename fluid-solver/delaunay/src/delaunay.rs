@@ -42,6 +42,11 @@ impl<const D: usize, const N: usize> Delaunay<D, N> {
         Ok(&self.triangulation)
     }
 
+    /// Takes the triangulation made last, and gives memory for the next one.
+    pub fn swap(&mut self, triangulation: &mut Triangulation<N>) {
+        std::mem::swap(&mut self.triangulation, triangulation);
+    }
+
     /// Copies the points to the mesh in the order of insertion, behind the ghost.
     fn line_up(&mut self, rank: &[u32]) {
         let Self { mesh, order, scaled, .. } = self;

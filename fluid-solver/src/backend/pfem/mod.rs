@@ -4,7 +4,7 @@
 //! One step: [`grains`] are placed where they end, [`flow`] moves the nodes on the mesh at t_n, [`remesh`] finds the mesh at t_{n+1}.
 
 mod backend;
-mod body;
+pub mod body;
 mod case;
 mod checkpoint;
 pub mod cloud;

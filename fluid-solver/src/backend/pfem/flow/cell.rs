@@ -12,14 +12,18 @@ pub struct Cell<const D: usize, const N: usize> {
     pub areas: [Vector<D>; N],
     /// 1/V, V not less than that of a sliver.
     pub inverse: f64,
+    /// V over what is taken for it: 1, less in slivers, negative in cells that have turned over.
+    pub fullness: f64,
     /// τ (m³ s/kg).
     pub relaxation: f64,
     /// μ (Pa s).
     pub viscosity: f64,
 }
 
-/// The share of the volume of a regular cell of the same longest edge below which V is not taken in a divisor.
-const SLIVER: f64 = 1e-6;
+/// The share of the volume of a regular cell of the same longest edge below which V is not taken in a divisor. In space
+/// slivers are in every mesh: their stabilisation and stress are then V/(that volume) of what they are, or one such cell
+/// would be as stiff as a thousand others.
+const SLIVER: [f64; 2] = [1e-6, 0.02];
 
 /// The volume of a regular simplex of edge 1.
 pub const fn regular_volume(dimension: usize) -> f64 {
@@ -35,10 +39,11 @@ impl<const D: usize, const N: usize> Cell<D, N> {
     pub fn new(corners: &[Vector<D>; N], v: &[Vector<D>; N], inertia: f64, rheology: &Rheology) -> Self {
         let (volume, areas) = volume_and_areas(corners);
         let longest = crate::element::simplex::longest_edge(corners);
-        let least = SLIVER * regular_volume(D) * longest.powi(D as i32);
+        let least = SLIVER[D - 2] * regular_volume(D) * longest.powi(D as i32);
         let size = volume.max(least);
         let h = 2.0 * if D == 2 { size.sqrt() } else { size.cbrt() };
-        let mut cell = Self { volume, areas, inverse: 1.0 / size, relaxation: 0.0, viscosity: 0.0 };
+        let (inverse, fullness) = (1.0 / size, volume / size);
+        let mut cell = Self { volume, areas, inverse, fullness, relaxation: 0.0, viscosity: 0.0 };
         let shear_rate = if rheology.is_newtonian() { 0.0 } else { cell.shear_rate(v) };
         cell.viscosity = rheology.viscosity(shear_rate);
         cell.relaxation = 1.0 / (8.0 * cell.viscosity / (h * h) + inertia);
@@ -97,23 +102,14 @@ impl<const D: usize, const N: usize> Cell<D, N> {
         for k in 0..D {
             let mean = share * e.iter().map(|e| e[k]).sum::<f64>();
             let slope: f64 = p.iter().zip(&self.areas).map(|(p, a)| p * a[k]).sum();
-            excess[k] = self.relaxation * (mean + self.inverse * slope);
+            excess[k] = self.relaxation * (self.fullness * mean + self.inverse * slope);
         }
-        let volume = share * (rate + curvature * self.inverse.powi(D as i32 - 1) * determinant(&gradient));
+        // V det ∇v is the volume that v spans.
+        let volume = share * (rate + curvature * volume_and_areas(v).0);
         (
             self.areas.map(|a| std::array::from_fn(|k| dot(&stress[k], &a))),
             self.areas.map(|a| volume + dot(&a, &excess)),
         )
-    }
-}
-
-/// det of a matrix by rows.
-pub fn determinant<const D: usize>(m: &[Vector<D>; D]) -> f64 {
-    if D == 2 {
-        m[0][0] * m[1][1] - m[0][1] * m[1][0]
-    } else {
-        let minor = |j: usize, k: usize| m[1][j] * m[2][k] - m[1][k] * m[2][j];
-        m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1)
     }
 }
 
@@ -157,11 +153,15 @@ mod tests {
     }
 
     #[test]
-    fn what_is_in_equilibrium_leaves_the_volume_rows_empty() {
-        let cell = Cell::new(&CORNERS, &[[0.0; 3]; 4], 2.0, &newtonian(3.0));
+    fn what_is_in_equilibrium_leaves_the_volume_rows_empty_in_slivers_and_cells_turned_over_too() {
         let slope = [4.0, -5.0, 6.0];
-        let pressure = CORNERS.map(|x| dot(&x, &slope) + 7.0);
-        let (_, volumes) = cell.rows(&[[0.0; 3]; 4], &pressure, &[slope.map(|s| -s); 4], 0.0);
-        assert!(volumes.iter().all(|row| row.abs() < 1e-14), "{volumes:?}");
+        for height in [1.9, 1e-3, 0.0, -1e-3] {
+            let mut corners = CORNERS;
+            corners[3] = [0.8, 0.7, 0.3 + height];
+            let cell = Cell::new(&corners, &[[0.0; 3]; 4], 2.0, &newtonian(3.0));
+            let pressure = corners.map(|x| dot(&x, &slope) + 7.0);
+            let (_, volumes) = cell.rows(&[[0.0; 3]; 4], &pressure, &[slope.map(|s| -s); 4], 0.0);
+            assert!(volumes.iter().all(|row| row.abs() < 1e-14), "{volumes:?}");
+        }
     }
 }

@@ -98,8 +98,8 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Prescribes v_m such that the gaps at the end vanish: n·v_m = n·v − gap(x_n + Δt v)/Δt, linear about the iterate v, or
-    /// in a corner about the place that the walls of it leave; a node that sticks has the velocity of the wall in the middle of the step,
-    /// one in an inlet that of what comes in.
+    /// in a corner about the place that the walls of it leave; a node that sticks has the velocity of the wall in the middle
+    /// of the step, one in an inlet that of what comes in.
     pub fn constrain<const N: usize>(
         &mut self,
         cloud: &Cloud<D, N>,

@@ -1,7 +1,7 @@
 //! What a cell with grains adds to the rows of its nodes.
 
-use super::cell::{Cell, determinant};
-use crate::element::simplex::{Vector, dot};
+use super::cell::Cell;
+use crate::element::simplex::{Vector, dot, volume_and_areas};
 use crate::grains::Compliance;
 use crate::weak_form::Average;
 
@@ -93,11 +93,12 @@ impl<const D: usize, const N: usize> Porous<D, N> {
         let steepness = sum(&cell.areas, &at.pressure);
         let mean = |field: &[Vector<D>; N], k: usize| field.iter().map(|v| v[k]).sum::<f64>() / N as f64;
         let flux: Vector<D> = std::array::from_fn(|k| {
-            let excess = void * (mean(&at.excess, k) + cell.inverse * steepness[k]) + mean(&at.drag, k);
+            let excess = cell.fullness * (void * mean(&at.excess, k) + mean(&at.drag, k))
+                + void * cell.inverse * steepness[k];
             let carried: f64 = (0..N).map(|j| entrained.first(j) * at.velocity_change[j][k]).sum();
             void * self.relaxation * excess - carried + pressed * cell.inverse * change[k]
         });
-        let growth = rate + curvature * cell.inverse.powi(D as i32 - 1) * determinant(&gradient);
+        let growth = rate + curvature * volume_and_areas(&at.velocity).0;
         let transport = Average::new(at.slip.map(|slip| dot(&slip, &self.slope)));
         let volumes = std::array::from_fn(|i| {
             self.void.first(i) * growth + transport.first(i) + dot(&cell.areas[i], &flux)

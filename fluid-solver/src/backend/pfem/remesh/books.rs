@@ -115,25 +115,46 @@ pub fn volume<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
     cloud.cells.iter().map(|cell| volume_and_gradients(&cloud.vertices(cell)).0).sum()
 }
 
-/// Energy of the cells (v linear in each) and of the drops.
-pub fn energy<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Energy<D> {
-    let mut energy = Energy { kinetic: 0.0, moment: [0.0; D] };
+/// Writes the volume of each cell and of each node, its share of its cells and its drop; returns that of all cells.
+pub fn volumes<const D: usize, const N: usize>(
+    cloud: &Cloud<D, N>,
+    cells: &mut Vec<f64>,
+    nodes: &mut Vec<f64>,
+) -> f64 {
+    cells.clear();
+    nodes.clear();
+    nodes.extend_from_slice(&cloud.drop);
     for cell in &cloud.cells {
-        let vertices = cloud.vertices(cell);
-        let volume = volume_and_gradients(&vertices).0;
+        let volume = volume_and_gradients(&cloud.vertices(cell)).0;
+        cells.push(volume);
+        for &node in cell {
+            nodes[node as usize] += volume / N as f64;
+        }
+    }
+    cells.iter().sum()
+}
+
+/// ∫ ½ |v|² dV of the cells (v linear in each) and of the drops, from the volumes of the cells.
+pub fn kinetic_energy<const D: usize, const N: usize>(cloud: &Cloud<D, N>, cells: &[f64]) -> f64 {
+    let mut kinetic = 0.0;
+    for (cell, volume) in cloud.cells.iter().zip(cells) {
         let velocities = cell.map(|node| cloud.velocity[node as usize]);
         let sum: Vector<D> = std::array::from_fn(|k| velocities.iter().map(|v| v[k]).sum());
         let squares: f64 = velocities.iter().map(|v| dot(v, v)).sum();
-        energy.kinetic += 0.5 * volume * (dot(&sum, &sum) + squares) / (N * (N + 1)) as f64;
-        for k in 0..D {
-            energy.moment[k] += volume * vertices.iter().map(|x| x[k]).sum::<f64>() / N as f64;
-        }
+        kinetic += 0.5 * volume * (dot(&sum, &sum) + squares) / (N * (N + 1)) as f64;
     }
-    for ((x, v), drop) in cloud.place.iter().zip(&cloud.velocity).zip(&cloud.drop) {
-        energy.kinetic += 0.5 * drop * dot(v, v);
-        for k in 0..D {
-            energy.moment[k] += drop * x[k];
-        }
-    }
-    energy
+    let drops = cloud.velocity.iter().zip(&cloud.drop);
+    kinetic + drops.map(|(v, drop)| 0.5 * drop * dot(v, v)).sum::<f64>()
+}
+
+/// ∫ x dV of the cells and the drops, from the volumes of the nodes.
+pub fn moment<const D: usize, const N: usize>(cloud: &Cloud<D, N>, nodes: &[f64]) -> Vector<D> {
+    std::array::from_fn(|k| cloud.place.iter().zip(nodes).map(|(x, volume)| volume * x[k]).sum())
+}
+
+/// Energy of the cells and of the drops.
+pub fn energy<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Energy<D> {
+    let (mut cells, mut nodes) = (Vec::new(), Vec::new());
+    volumes(cloud, &mut cells, &mut nodes);
+    Energy { kinetic: kinetic_energy(cloud, &cells), moment: moment(cloud, &nodes) }
 }

@@ -1,9 +1,10 @@
 //! The cloud while it is edited: its surface, and what is known of its nodes beside their state.
 
+use super::books::volumes;
 use super::size::TargetSize;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE, retain};
 use crate::backend::pfem::wall::Contacts;
-use crate::element::simplex::{Vector, distance, volume_and_gradients};
+use crate::element::simplex::{Vector, distance};
 
 /// No node, or more than one.
 pub const NONE: u32 = u32::MAX;
@@ -29,6 +30,7 @@ pub struct Draft<const D: usize = 2> {
     pub edited: bool,
     /// Edges that wait to be forced into the triangulation.
     pub waiting: Vec<[u32; 2]>,
+    cell_volumes: Vec<f64>,
     youngest: u32,
     place_of: Vec<u32>,
 }
@@ -36,7 +38,8 @@ pub struct Draft<const D: usize = 2> {
 impl Draft {
     /// Reads the moved cloud.
     pub fn read(&mut self, cloud: &Cloud<2, 3>, size: &TargetSize) {
-        self.read_nodes(cloud, size);
+        self.read_sizes(cloud, size);
+        volumes(cloud, &mut self.cell_volumes, &mut self.mass);
         self.edges.clear();
         for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
             for i in (0..3).filter(|&i| around[i] == OUTSIDE) {
@@ -71,15 +74,14 @@ impl Draft {
 }
 
 impl<const D: usize> Draft<D> {
-    /// Reads the nodes of the moved cloud.
-    pub fn read_nodes<const N: usize>(&mut self, cloud: &Cloud<D, N>, size: &TargetSize) {
+    /// Reads the sizes at the nodes of the moved cloud, none of which goes yet.
+    pub fn read_sizes<const N: usize>(&mut self, cloud: &Cloud<D, N>, size: &TargetSize) {
         let nodes = cloud.place.len();
         size.at_nodes(nodes, &mut self.size);
         self.removed.clear();
         self.removed.resize(nodes, false);
         self.youngest = cloud.birth.iter().copied().max().unwrap_or(0);
         self.edited = false;
-        nodal_volumes(cloud, &mut self.mass);
     }
 
     /// Target size between two nodes (m).
@@ -159,18 +161,6 @@ impl<const D: usize> Draft<D> {
         self.removed.resize(cloud.place.len(), false);
         for node in self.edges.iter_mut().flatten() {
             *node = self.place_of[*node as usize];
-        }
-    }
-}
-
-/// Volume of each node: its share of its cells, and its drop.
-pub fn nodal_volumes<const D: usize, const N: usize>(cloud: &Cloud<D, N>, volumes: &mut Vec<f64>) {
-    volumes.clear();
-    volumes.extend_from_slice(&cloud.drop);
-    for cell in &cloud.cells {
-        let volume = volume_and_gradients(&cloud.vertices(cell)).0;
-        for &node in cell {
-            volumes[node as usize] += volume / N as f64;
         }
     }
 }

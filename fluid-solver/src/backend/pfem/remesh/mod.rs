@@ -17,12 +17,13 @@ mod transfer;
 pub use books::{Account, Books, Energy, EnergyBooks, VolumeBooks, energy, volume};
 pub use recognition::Recognition;
 pub use size::TargetSize;
-pub use space::SpaceRemesher;
+pub use space::{SpaceRemesher, Spent};
 pub use topology::Events;
 
 use super::cloud::{Cloud, OUTSIDE};
 use super::wall::Wall;
 use crate::element::simplex::Vector;
+use books::{kinetic_energy, volumes};
 use draft::{Draft, area, height};
 use tessellation::Tessellation;
 
@@ -39,7 +40,8 @@ pub struct Remesher<const D: usize, const N: usize> {
     draft: Draft,
     triangles: Tessellation,
     gradient: Vec<Vector<D>>,
-    volumes: Vec<f64>,
+    cell_volumes: Vec<f64>,
+    node_volumes: Vec<f64>,
     cells: Vec<[u32; N]>,
     neighbours: Vec<[u32; N]>,
     number: Vec<u32>,
@@ -120,12 +122,12 @@ impl Remesher<2, 3> {
         if !as_before || !self.still_delaunay(cloud) {
             self.take_cells(cloud);
         }
-        transfer::keep_momentum(cloud, &self.draft.mass, momentum, &mut self.volumes);
+        books.volume.cells = volumes(cloud, &mut self.cell_volumes, &mut self.node_volumes);
+        transfer::keep_momentum(cloud, &self.draft.mass, momentum, &self.node_volumes);
         if events.impact() {
-            let surplus = energy(cloud).kinetic - energy_before.kinetic;
-            transfer::take_surplus(cloud, &self.draft.mass, &self.volumes, surplus);
+            let surplus = kinetic_energy(cloud, &self.cell_volumes) - energy_before.kinetic;
+            transfer::take_surplus(cloud, &self.draft.mass, &self.node_volumes, surplus);
         }
-        books.volume.cells = volume(cloud);
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));
         Ok(events)

@@ -1,6 +1,5 @@
 //! Momentum goes over from mesh to mesh.
 
-use super::draft::nodal_volumes;
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::{Vector, difference, dot};
 
@@ -18,14 +17,13 @@ pub fn momentum<const D: usize>(volumes: &[f64], velocity: &[Vector<D>]) -> Vect
 /// Gives what the new nodal volumes miss of the momentum `before` to the nodes whose volume changed and that touch no
 /// wall, as one velocity for all of them.
 ///
-/// `mass` are the nodal volumes before.
+/// `mass` are the nodal volumes before, `volumes` those now.
 pub fn keep_momentum<const D: usize, const N: usize>(
     cloud: &mut Cloud<D, N>,
     mass: &[f64],
     before: Vector<D>,
-    volumes: &mut Vec<f64>,
+    volumes: &[f64],
 ) {
-    nodal_volumes(cloud, volumes);
     let after = momentum(volumes, &cloud.velocity);
     let Cloud { contacts, velocity, .. } = cloud;
     for strict in [true, false] {

@@ -2,8 +2,10 @@
 
 use super::super::correction::{LARGEST, RATE};
 use super::super::draft::Draft;
+use super::freedom::along_walls;
+use super::surface::cross;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
+use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::{Vector, difference, dot};
 
 /// Moves every node i of the free surface by λ G_i/|G_i|, G_i = ∂V/∂x_i (along the walls that it touches), with
@@ -32,9 +34,11 @@ pub fn restore(
     }
     let (mut sum, mut size) = (0.0, f64::INFINITY);
     for (node, g) in gradient.iter_mut().enumerate() {
-        *g = along_walls(g, cloud.contacts[node], &cloud.place[node], walls, time);
-        sum += dot(g, g).sqrt();
         size = size.min(draft.size[node]);
+        if draft.exposed[node] {
+            *g = along_walls(g, cloud.contacts[node], &cloud.place[node], walls, time);
+            sum += dot(g, g).sqrt();
+        }
     }
     let least = 1e-9 * size * size;
     if sum < least {
@@ -47,30 +51,4 @@ pub fn restore(
             *x = std::array::from_fn(|k| x[k] + shift * g[k] / norm);
         }
     }
-}
-
-/// The part of a vector along all walls that a node touches.
-fn along_walls(g: &Vector<3>, contacts: Contacts, x: &Vector<3>, walls: &[Wall<3>], time: f64) -> Vector<3> {
-    if inlet_of(walls, contacts).is_some() {
-        return [0.0; 3];
-    }
-    let mut normals = contacts.iter().map(|wall| walls[wall].touch(x, time).normal);
-    match (normals.next(), normals.next(), normals.next()) {
-        (None, ..) => *g,
-        (Some(n), None, _) => {
-            let into = dot(g, &n);
-            std::array::from_fn(|k| g[k] - into * n[k])
-        }
-        (Some(n), Some(m), None) => {
-            let edge = cross(&n, &m);
-            let share = dot(g, &edge) / dot(&edge, &edge).max(f64::MIN_POSITIVE);
-            edge.map(|e| share * e)
-        }
-        _ => [0.0; 3],
-    }
-}
-
-/// a × b.
-pub fn cross(a: &Vector<3>, b: &Vector<3>) -> Vector<3> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

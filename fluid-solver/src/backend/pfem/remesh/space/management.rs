@@ -1,127 +1,266 @@
 //! Nodes come and go so that neighbours stand about h apart.
 
 use super::super::draft::Draft;
-use super::super::management::{CLOSEST, CLOSEST_TO_SURFACE, FARTHEST, LONGEST, SHORTEST};
+use super::super::management::{CLOSEST, CLOSEST_TO_SURFACE, SHORTEST};
+use super::fans::Fans;
+use super::freedom::{along_walls, behind, onto_walls};
+use super::surface::{Edits, cross};
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::{Contacts, Wall};
-use crate::element::simplex::{Vector, distance, dot, volume_and_areas};
+use crate::element::simplex::{Vector, difference, distance, dot, volume_and_areas};
 
-/// Manages the nodes of the moved cloud. The old cells keep the nodes that go until the new ones replace them.
-pub fn manage(cloud: &mut Cloud<3, 4>, draft: &mut Draft<3>, walls: &[Wall<3>], time: f64) {
-    let mut settled = vec![false; cloud.place.len()];
-    for (_, goes, stays, both) in close(cloud, draft) {
-        let [gone, left] = [goes as usize, stays as usize];
-        let inner = !draft.exposed[gone];
-        if settled[gone]
-            || draft.removed[gone]
-            || draft.removed[left]
-            || (settled[left] && !(inner && draft.exposed[left]))
-        {
-            continue;
-        }
-        if both && cloud.contacts[gone] == cloud.contacts[left] {
-            let middle =
-                |values: &[Vector<3>]| std::array::from_fn(|k| 0.5 * (values[gone][k] + values[left][k]));
-            let place = middle(&cloud.place);
-            cloud.velocity[left] = middle(&cloud.velocity);
-            cloud.place[left] = onto_walls(cloud.contacts[left], place, walls, time);
-        }
-        draft.remove(goes);
-        (settled[gone], settled[left]) = (true, true);
-    }
-    for (_, [a, b], surface) in far(cloud, draft) {
-        if settled[a as usize] || settled[b as usize] {
-            continue;
-        }
-        (settled[a as usize], settled[b as usize]) = (true, true);
-        let common = cloud.contacts[a as usize].common(cloud.contacts[b as usize]);
-        let contacts = if surface { common } else { Contacts::default() };
-        let node = draft.add_between(cloud, a, b, contacts);
-        cloud.place[node as usize] = onto_walls(contacts, cloud.place[node as usize], walls, time);
-        draft.exposed.push(surface);
-    }
+/// Management of nodes; all of it is scratch.
+#[derive(Default)]
+pub struct Management {
+    close: Vec<Close>,
+    far: Vec<Far>,
+    settled: Vec<bool>,
+    edits: Edits,
+    fans: Fans,
 }
 
-/// Nodes too close to another, closest first: distance, which goes, which stays, whether both are on the surface.
-fn close(cloud: &Cloud<3, 4>, draft: &Draft<3>) -> Vec<(f64, u32, u32, bool)> {
-    let exposed = |node: u32| draft.exposed[node as usize];
-    let mut close = Vec::new();
-    for (length, [a, b]) in inner_edges(cloud) {
-        let h = draft.size_between(a, b);
-        if length >= CLOSEST * h {
-            continue;
-        }
-        let younger = cloud.birth[a as usize] > cloud.birth[b as usize];
-        match (exposed(a), exposed(b)) {
-            (false, false) if younger => close.push((length, a, b, false)),
-            (false, false) => close.push((length, b, a, false)),
-            (true, false) if length < CLOSEST_TO_SURFACE * h => close.push((length, b, a, false)),
-            (false, true) if length < CLOSEST_TO_SURFACE * h => close.push((length, a, b, false)),
-            _ => {}
-        }
+/// A node too close to another.
+struct Close {
+    distance: f64,
+    goes: u32,
+    stays: u32,
+    /// Whether both are on the surface.
+    surface: bool,
+}
+
+/// An edge too long.
+struct Far {
+    length: f64,
+    edge: [u32; 2],
+    surface: bool,
+}
+
+/// Edges longer than this share of h on the surface are split: the diagonals of squares are not.
+const LONGEST: f64 = 1.6;
+/// Inner edges longer than this share of h get a node: the diagonals of cubes do not.
+const FARTHEST: f64 = 1.9;
+/// A node that sees less than this many h² of surface is not shifted to keep the volume.
+const FACING: f64 = 0.1;
+/// Nor is one by more than this many h.
+const SHIFT: f64 = 0.25;
+
+/// Pairs of corners of a cell.
+const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+
+impl Management {
+    /// Manages the nodes of the moved cloud, and its surface. The old cells keep the nodes that go until the new ones
+    /// replace them.
+    pub fn manage(&mut self, cloud: &mut Cloud<3, 4>, draft: &mut Draft<3>, walls: &[Wall<3>], time: f64) {
+        self.close.clear();
+        self.far.clear();
+        self.measure_cells(cloud, draft);
+        self.measure_surface(cloud, draft);
+        self.settled.clear();
+        self.settled.resize(cloud.place.len(), false);
+        self.edits.begin(cloud.place.len());
+        self.fans.read(&draft.edges, cloud.place.len());
+        self.remove_close(cloud, draft, walls, time);
+        self.insert_between_far(cloud, draft, walls, time);
+        self.edits.apply(&mut draft.edges);
     }
-    for [a, b] in surface_edges(draft) {
-        let length = distance(&cloud.place[a as usize], &cloud.place[b as usize]);
-        if length < SHORTEST * draft.size_between(a, b) {
-            let (ka, kb) = (cloud.contacts[a as usize], cloud.contacts[b as usize]);
-            let younger = cloud.birth[a as usize] > cloud.birth[b as usize];
-            // Whoever touches all that the other touches, and more, stays.
-            if ka.common(kb) == ka && (ka != kb || younger) {
-                close.push((length, a, b, true));
-            } else if ka.common(kb) == kb {
-                close.push((length, b, a, true));
+
+    /// Finds edges of cells, each of them often, that are too short or too long, and inner nodes close to the surface.
+    fn measure_cells(&mut self, cloud: &Cloud<3, 4>, draft: &Draft<3>) {
+        let exposed = |node: u32| draft.exposed[node as usize];
+        for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
+            let vertices = cloud.vertices(cell);
+            let sizes = cell.map(|node| draft.size[node as usize]);
+            for [i, j] in EDGES {
+                let edge = difference(&vertices[i], &vertices[j]);
+                let (square, h) = (dot(&edge, &edge), 0.5 * (sizes[i] + sizes[j]));
+                if square < (CLOSEST * h).powi(2) {
+                    let (a, b) = (cell[i].min(cell[j]), cell[i].max(cell[j]));
+                    let (distance, surface) = (square.sqrt(), false);
+                    let younger = cloud.birth[a as usize] > cloud.birth[b as usize];
+                    let near = distance < CLOSEST_TO_SURFACE * h;
+                    let (goes, stays) = match (exposed(a), exposed(b)) {
+                        (false, false) if younger => (a, b),
+                        (false, false) => (b, a),
+                        (true, false) if near => (b, a),
+                        (false, true) if near => (a, b),
+                        _ => continue,
+                    };
+                    self.close.push(Close { distance, goes, stays, surface });
+                } else if square > (FARTHEST * h).powi(2) {
+                    let edge = [cell[i].min(cell[j]), cell[i].max(cell[j])];
+                    self.far.push(Far { length: square.sqrt(), edge, surface: false });
+                }
+            }
+            for i in (0..4).filter(|&i| around[i] == OUTSIDE && !exposed(cell[i])) {
+                let (volume, areas) = volume_and_areas(&vertices);
+                let distance = volume / dot(&areas[i], &areas[i]).sqrt();
+                if distance < CLOSEST_TO_SURFACE * sizes[i] {
+                    let (goes, stays) = (cell[i], cell[(i + 1) % 4]);
+                    self.close.push(Close { distance, goes, stays, surface: false });
+                }
             }
         }
     }
-    for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
-        for i in (0..4).filter(|&i| around[i] == OUTSIDE && !exposed(cell[i])) {
-            let (volume, areas) = volume_and_areas(&cloud.vertices(cell));
-            let height = volume / dot(&areas[i], &areas[i]).sqrt();
-            if height < CLOSEST_TO_SURFACE * draft.size[cell[i] as usize] {
-                close.push((height, cell[i], cell[(i + 1) % 4], false));
+
+    /// Finds edges of the surface that are too short or too long.
+    fn measure_surface(&mut self, cloud: &Cloud<3, 4>, draft: &Draft<3>) {
+        let around = |face: &[u32; 3]| [0, 1, 2].map(|k| [face[k], face[(k + 1) % 3]]);
+        for [a, b] in draft.edges.iter().flat_map(around).filter(|[a, b]| a < b) {
+            let length = distance(&cloud.place[a as usize], &cloud.place[b as usize]);
+            let h = draft.size_between(a, b);
+            if length > LONGEST * h {
+                self.far.push(Far { length, edge: [a, b], surface: true });
+            } else if length < SHORTEST * h {
+                let (ka, kb) = (cloud.contacts[a as usize], cloud.contacts[b as usize]);
+                let younger = cloud.birth[a as usize] > cloud.birth[b as usize];
+                // Whoever touches all that the other touches, and more, stays.
+                if ka.common(kb) == ka && (ka != kb || younger) {
+                    self.close.push(Close { distance: length, goes: a, stays: b, surface: true });
+                } else if ka.common(kb) == kb {
+                    self.close.push(Close { distance: length, goes: b, stays: a, surface: true });
+                }
             }
         }
     }
-    close.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then((p.1, p.2).cmp(&(q.1, q.2))));
-    close
-}
 
-/// Edges too long, longest first, those of the surface before all others: length, nodes, whether of the surface.
-fn far(cloud: &Cloud<3, 4>, draft: &Draft<3>) -> Vec<(f64, [u32; 2], bool)> {
-    let length = |[a, b]: [u32; 2]| distance(&cloud.place[a as usize], &cloud.place[b as usize]);
-    let mut far: Vec<_> = surface_edges(draft)
-        .map(|edge| (length(edge), edge, true))
-        .filter(|(length, [a, b], _)| *length > LONGEST * draft.size_between(*a, *b))
-        .collect();
-    let inner = inner_edges(cloud).filter(|(length, [a, b])| *length > FARTHEST * draft.size_between(*a, *b));
-    far.extend(inner.map(|(length, edge)| (length, edge, false)));
-    far.sort_unstable_by(|p, q| q.2.cmp(&p.2).then(q.0.total_cmp(&p.0)).then(p.1.cmp(&q.1)));
-    far
-}
-
-/// Edges of all cells with their lengths, many of them often.
-fn inner_edges(cloud: &Cloud<3, 4>) -> impl Iterator<Item = (f64, [u32; 2])> + '_ {
-    const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-    cloud.cells.iter().flat_map(move |cell| {
-        let vertices = cloud.vertices(cell);
-        EDGES.map(|[i, j]| {
-            let edge = [cell[i].min(cell[j]), cell[i].max(cell[j])];
-            (distance(&vertices[i], &vertices[j]), edge)
-        })
-    })
-}
-
-/// Edges of the surface, once each.
-fn surface_edges(draft: &Draft<3>) -> impl Iterator<Item = [u32; 2]> + '_ {
-    let around = |face: &[u32; 3]| [0, 1, 2].map(|k| [face[k], face[(k + 1) % 3]]);
-    draft.edges.iter().flat_map(around).filter(|[a, b]| a < b)
-}
-
-/// The nearest place of the walls that a node touches.
-fn onto_walls(contacts: Contacts, mut x: Vector<3>, walls: &[Wall<3>], time: f64) -> Vector<3> {
-    for wall in contacts.iter() {
-        let touch = walls[wall].touch(&x, time);
-        x = std::array::from_fn(|k| x[k] - touch.gap * touch.normal[k]);
+    /// Takes nodes away that are too close, closest first.
+    fn remove_close(&mut self, cloud: &mut Cloud<3, 4>, draft: &mut Draft<3>, walls: &[Wall<3>], time: f64) {
+        let Self { close, settled, edits, fans, .. } = self;
+        let order = |p: &Close, q: &Close| {
+            p.distance.total_cmp(&q.distance).then((p.goes, p.stays).cmp(&(q.goes, q.stays)))
+        };
+        close.sort_unstable_by(order);
+        for &Close { goes, stays, surface, .. } in &*close {
+            let [gone, left] = [goes as usize, stays as usize];
+            let inner = !draft.exposed[gone];
+            if settled[gone]
+                || draft.removed[gone]
+                || draft.removed[left]
+                || (settled[left] && !(inner && draft.exposed[left]))
+            {
+                continue;
+            }
+            if surface {
+                let contacts = cloud.contacts[left];
+                if cloud.contacts[gone] == contacts {
+                    let middle = |values: &[Vector<3>]| {
+                        std::array::from_fn(|k| 0.5 * (values[gone][k] + values[left][k]))
+                    };
+                    cloud.velocity[left] = middle(&cloud.velocity);
+                    // The faces still have the old places.
+                    let middle = onto_walls(contacts, middle(&cloud.place), walls, time);
+                    cloud.place[left] =
+                        neutral(cloud, draft, (fans, edits), [goes, stays], middle, walls, time);
+                } else {
+                    let place = cloud.place[left];
+                    cloud.place[left] =
+                        neutral(cloud, draft, (fans, edits), [goes, stays], place, walls, time);
+                }
+                edits.collapse(goes, stays);
+            }
+            draft.remove(goes);
+            (settled[gone], settled[left]) = (true, true);
+        }
     }
-    x
+
+    /// Adds nodes in the middle of edges that are too long, those of the surface before all others, longest first.
+    fn insert_between_far(
+        &mut self,
+        cloud: &mut Cloud<3, 4>,
+        draft: &mut Draft<3>,
+        walls: &[Wall<3>],
+        time: f64,
+    ) {
+        let Self { far, settled, edits, .. } = self;
+        let order = |p: &Far, q: &Far| {
+            q.surface.cmp(&p.surface).then(q.length.total_cmp(&p.length)).then(p.edge.cmp(&q.edge))
+        };
+        far.sort_unstable_by(order);
+        for &Far { edge: [a, b], surface, .. } in &*far {
+            if settled[a as usize] || settled[b as usize] {
+                continue;
+            }
+            (settled[a as usize], settled[b as usize]) = (true, true);
+            let common = cloud.contacts[a as usize].common(cloud.contacts[b as usize]);
+            let mut contacts = if surface { common } else { Contacts::default() };
+            let node = draft.add_between(cloud, a, b, contacts);
+            let place = &mut cloud.place[node as usize];
+            let met: Vec<usize> = behind(contacts, place, walls, time).collect();
+            met.iter().for_each(|&wall| contacts.insert(wall));
+            *place = onto_walls(contacts, *place, walls, time);
+            cloud.contacts[node as usize] = contacts;
+            draft.exposed.push(surface);
+            if surface {
+                edits.split([a, b], node);
+            }
+        }
+    }
+}
+
+/// Where near x a node keeps the volume if the two ends of an edge of the surface become that node: x + s A, where A is half
+/// the area of what it sees, along the walls that the end that stays touches; x, where that is too far away or behind a
+/// wall.
+fn neutral(
+    cloud: &Cloud<3, 4>,
+    draft: &Draft<3>,
+    (fans, edits): (&Fans, &Edits),
+    [goes, stays]: [u32; 2],
+    x: Vector<3>,
+    walls: &[Wall<3>],
+    time: f64,
+) -> Vector<3> {
+    let contacts = cloud.contacts[stays as usize];
+    let (mut lost, mut area) = (0.0, [0.0; 3]);
+    for (end, other) in [(goes, stays), (stays, goes)] {
+        for &face in fans.around(end) {
+            let face = draft.edges[face as usize].map(|node| edits.heir(node));
+            let Some(k) = face.iter().position(|&node| node == end) else { continue };
+            let [near, a, b] = [0, 1, 2].map(|i| difference(&cloud.place[face[(k + i) % 3] as usize], &x));
+            let normal = cross(&a, &b);
+            let shared = face.contains(&other);
+            // A face of both is met twice and vanishes.
+            lost += dot(&near, &normal) * if shared { 0.5 } else { 1.0 };
+            if !shared {
+                area = std::array::from_fn(|k| area[k] + normal[k]);
+            }
+        }
+    }
+    let along = along_walls(&area, contacts, &x, walls, time);
+    let h = draft.size_between(goes, stays);
+    let square = dot(&along, &along);
+    let share = lost / square;
+    if square.sqrt() < FACING * h * h || share.abs() * square.sqrt() > SHIFT * h {
+        return x;
+    }
+    let place = std::array::from_fn(|k| x[k] + share * along[k]);
+    let place = onto_walls(contacts, place, walls, time);
+    if behind(contacts, &place, walls, time).next().is_some() { x } else { place }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::size::TargetSize;
+    use super::super::surface;
+    use super::*;
+    use crate::backend::pfem::body::Body;
+
+    #[test]
+    fn an_edge_of_a_ball_that_becomes_a_node_takes_no_volume() {
+        let mut cloud = Body::<3, 4>::of_sphere([0.0; 3], 1.0, 0.25).unwrap().cloud();
+        let mut draft = Draft::<3>::default();
+        let mut management = Management::default();
+        draft.read_sizes(&cloud, &TargetSize::Constant(0.25));
+        surface::read(&cloud, &mut draft);
+        let (faces, before) = (draft.edges.len(), surface::enclosed(&cloud, &draft));
+        // A short edge.
+        let [a, b, _] = draft.edges[0].map(|node| node as usize);
+        let drawn = std::array::from_fn(|k| 0.7 * cloud.place[b][k] + 0.3 * cloud.place[a][k]);
+        let radius = dot(&drawn, &drawn).sqrt();
+        cloud.place[a] = drawn.map(|x: f64| x / radius);
+        let moved = surface::enclosed(&cloud, &draft);
+        assert!((moved - before).abs() > 1e-5);
+        management.manage(&mut cloud, &mut draft, &[], 0.0);
+        assert_eq!(draft.edges.len(), faces - 2);
+        assert!((surface::enclosed(&cloud, &draft) - moved).abs() < 1e-14);
+    }
 }

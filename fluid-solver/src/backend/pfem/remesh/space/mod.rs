@@ -1,41 +1,54 @@
-//! Remeshing in space: all nodes are triangulated, and cells that lie in the moved old mesh are fluid.
+//! Remeshing in space: all nodes are triangulated, and cells that lie in the moved surface are fluid.
 //!
 //! Drops are nodes like others: one that the moved mesh has come to cover is thereby taken up. Surfaces merge where they
 //! have passed each other: what lies twice is counted once.
 
 mod correction;
+mod fans;
+mod freedom;
 mod management;
 mod patches;
 mod recognition;
-mod stars;
+mod spent;
 mod surface;
 mod tetrahedra;
 mod unchanged;
 
+pub use spent::Spent;
+
+use super::books::{kinetic_energy, moment, volumes};
 use super::draft::Draft;
 use super::recognition::Recognition;
 use super::topology::Events;
 use super::transfer;
-use super::{Books, TargetSize, energy, volume};
+use super::{Books, Energy, TargetSize};
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::Vector;
-use stars::Stars;
+use interface::usage::ThreadClock;
+use management::Management;
+use patches::Patches;
+use recognition::Recogniser;
 use tetrahedra::Tetrahedra;
 
 /// A cover counted twice larger than this share of h³ is a blow of fluid on fluid.
 const BLOW: f64 = 0.1;
 
-/// Finds the mesh of moved nodes in space; all but the rule is scratch.
+/// Finds the mesh of moved nodes in space; all but the rule and what was spent is scratch.
 #[derive(Default)]
 pub struct SpaceRemesher {
     /// How the fluid is told from the void.
     pub recognition: Recognition,
+    /// Processor time since the start.
+    pub spent: Spent,
     draft: Draft<3>,
-    stars: Stars,
+    management: Management,
     tetrahedra: Tetrahedra,
+    recogniser: Recogniser,
+    patches: Patches,
     gradient: Vec<Vector<3>>,
-    volumes: Vec<f64>,
+    cell_volumes: Vec<f64>,
+    node_volumes: Vec<f64>,
 }
 
 impl SpaceRemesher {
@@ -58,49 +71,59 @@ impl SpaceRemesher {
         size: &TargetSize,
         books: &mut Books<3>,
     ) -> Result<Events, delaunay::Error> {
-        let Self { recognition, draft, stars, tetrahedra, gradient, volumes } = self;
-        let energy_before = energy(cloud);
-        draft.read_nodes(cloud, size);
-        surface::read(cloud, draft);
+        let Self { spent, draft, tetrahedra, cell_volumes, node_volumes, .. } = self;
+        let mut clock = ThreadClock::start();
+        draft.read_sizes(cloud, size);
+        volumes(cloud, cell_volumes, &mut draft.mass);
+        let energy_before = energy(cloud, cell_volumes, &draft.mass);
         let momentum = transfer::momentum(&draft.mass, &cloud.velocity);
+        spent.transfer += clock.lap();
+
+        surface::read(cloud, draft);
         let book = &mut books.volume;
-        let moved = volume(cloud);
+        let moved = surface::enclosed(cloud, draft);
         book.flow.add(moved - book.cells);
-
         let missing = book.target - moved - cloud.drop.iter().sum::<f64>();
-        correction::restore(cloud, draft, walls, time, missing, gradient);
-        let restored = volume(cloud);
+        correction::restore(cloud, draft, walls, time, missing, &mut self.gradient);
+        let restored = surface::enclosed(cloud, draft);
         book.correction.add(restored - moved);
-        stars.read(cloud);
-        management::manage(cloud, draft, walls, time);
-        let managed = volume(cloud);
+        self.management.manage(cloud, draft, walls, time);
+        let managed = surface::enclosed(cloud, draft);
         book.management.add(managed - restored);
+        let stays = !draft.edited && !cloud.cells.is_empty() && unchanged::still_delaunay(cloud);
+        spent.management += clock.lap();
 
-        let mut events = Events::default();
-        if draft.edited || cloud.cells.is_empty() || !unchanged::still_delaunay(cloud) {
+        let (mut events, mut settled) = (Events::default(), 0.0);
+        if !stays {
             tetrahedra.triangulate(cloud, draft)?;
-            match *recognition {
-                Recognition::MovedDomain => recognition::moved_domain(cloud, draft, stars, tetrahedra),
-                Recognition::AlphaShape { alpha } => {
-                    recognition::alpha_shape(cloud, draft, alpha, tetrahedra)
-                }
-            }
-            let recognised = tetrahedra.fluid_volume(cloud);
-            book.overlap.add(recognised - managed);
-            let smallest = draft.size.iter().copied().fold(f64::INFINITY, f64::min);
-            events.crossed = recognised < managed - BLOW * smallest.powi(3);
-            patches::settle(cloud, draft, tetrahedra, book, &mut events);
+            spent.mesh += clock.lap();
+            self.recogniser.recognise(self.recognition, cloud, draft, tetrahedra);
+            spent.recognition += clock.lap();
+            settled = self.patches.settle(cloud, draft, tetrahedra, book, &mut events);
             tetrahedra.take(cloud, draft);
+            spent.settling += clock.lap();
         }
-        transfer::keep_momentum(cloud, &draft.mass, momentum, volumes);
-        if events.impact() {
-            let surplus = energy(cloud).kinetic - energy_before.kinetic;
-            transfer::take_surplus(cloud, &draft.mass, volumes, surplus);
-        }
-        book.cells = volume(cloud);
+        book.cells = volumes(cloud, cell_volumes, node_volumes);
         book.drops = cloud.drop.iter().sum();
-        books.energy.add(&energy_before, &energy(cloud));
+        if !stays {
+            let overlap = managed + settled - book.cells;
+            book.overlap.add(-overlap);
+            let smallest = draft.size.iter().copied().fold(f64::INFINITY, f64::min);
+            events.crossed = overlap > BLOW * smallest.powi(3);
+        }
+        transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);
+        if events.impact() {
+            let surplus = kinetic_energy(cloud, cell_volumes) - energy_before.kinetic;
+            transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
+        }
+        books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
         cloud.struck = events.impact();
+        spent.transfer += clock.lap();
         Ok(events)
     }
+}
+
+/// Energies per density, from the volumes of cells and nodes.
+fn energy(cloud: &Cloud<3, 4>, cell_volumes: &[f64], node_volumes: &[f64]) -> Energy<3> {
+    Energy { kinetic: kinetic_energy(cloud, cell_volumes), moment: moment(cloud, node_volumes) }
 }

@@ -30,16 +30,17 @@ impl Tetrahedra {
             self.ranks.push(cloud.birth[node]);
             self.node_of.push(node as u32);
         }
-        let triangulation = self.delaunay.triangulate(&self.points, &self.ranks)?;
-        for [gone, kept] in
-            triangulation.twins.iter().map(|twin| twin.map(|point| self.node_of[point as usize]))
+        self.delaunay.triangulate(&self.points, &self.ranks)?;
+        self.delaunay.swap(&mut self.made);
+        for [gone, kept] in self.made.twins.iter().map(|twin| twin.map(|point| self.node_of[point as usize]))
         {
             draft.unite(cloud, gone, kept);
         }
-        self.made.cells.clear();
-        let nodes = |cell: &[u32; 4]| cell.map(|point| self.node_of[point as usize]);
-        self.made.cells.extend(triangulation.cells.iter().map(nodes));
-        self.made.neighbours.clone_from(&triangulation.neighbours);
+        if self.node_of.len() < cloud.place.len() {
+            for corner in self.made.cells.iter_mut().flatten() {
+                *corner = self.node_of[*corner as usize];
+            }
+        }
         Ok(())
     }
 
@@ -57,11 +58,6 @@ impl Tetrahedra {
     /// Volume of a cell.
     pub fn volume(&self, cloud: &Cloud<3, 4>, cell: usize) -> f64 {
         volume_and_areas(&cloud.vertices(&self.made.cells[cell])).0
-    }
-
-    /// Volume of all that is fluid.
-    pub fn fluid_volume(&self, cloud: &Cloud<3, 4>) -> f64 {
-        self.fluids().map(|cell| self.volume(cloud, cell)).sum()
     }
 
     /// Makes the fluid the cells of the cloud and takes the nodes out that are to go.

@@ -3,9 +3,10 @@
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::element::simplex::{Vector, difference, dot, volume_and_areas};
 
-/// Cells around each node.
+/// Cells around some of the nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Stars {
+    chosen: Vec<bool>,
     first: Vec<u32>,
     cells: Vec<u32>,
     /// The last visit that met each cell.
@@ -26,11 +27,14 @@ struct Shape {
 }
 
 impl Stars {
-    /// Reads the cells.
-    pub fn read(&mut self, cloud: &Cloud<3, 4>) {
+    /// Reads the cells around some nodes.
+    pub fn read(&mut self, cloud: &Cloud<3, 4>, nodes: impl Iterator<Item = u32>) {
+        self.chosen.clear();
+        self.chosen.resize(cloud.place.len(), false);
+        nodes.for_each(|node| self.chosen[node as usize] = true);
         self.first.clear();
         self.first.resize(cloud.place.len() + 1, 0);
-        for node in cloud.cells.iter().flatten() {
+        for node in cloud.cells.iter().flatten().filter(|node| self.chosen[**node as usize]) {
             self.first[*node as usize] += 1;
         }
         let mut end = 0;
@@ -41,7 +45,7 @@ impl Stars {
         self.cells.clear();
         self.cells.resize(end as usize, 0);
         for (index, cell) in cloud.cells.iter().enumerate().rev() {
-            for node in cell {
+            for node in cell.iter().filter(|node| self.chosen[**node as usize]) {
                 let first = &mut self.first[*node as usize];
                 *first -= 1;
                 self.cells[*first as usize] = index as u32;
@@ -54,10 +58,7 @@ impl Stars {
 
     /// Where the cells around a node are; none are around a node that was added since.
     fn range(&self, node: u32) -> std::ops::Range<usize> {
-        match (self.first.get(node as usize), self.first.get(node as usize + 1)) {
-            (Some(&first), Some(&end)) => first as usize..end as usize,
-            _ => 0..0,
-        }
+        self.first[node as usize] as usize..self.first[node as usize + 1] as usize
     }
 
     /// Whether a cell with these corners was there before.
