@@ -44,12 +44,19 @@ pub fn reaction(passage: &Passage<'_>, window: f64) -> ReactionRow {
 
 /// The same of a grain that gives way to the change of the fluid in the step, where no iteration tells it of it: of a force
 /// on it the grain keeps a [share](kept_share) and hands on the rest, so R = V(1 − share).
+///
+/// It felt u of the start and Du/Dt: its added mass is at u + Du/Dt Δt already, and resists what differs from that. So
+/// v* = u + m_A/(m_A + βΔt) Du/Dt Δt − X/(β_e Δt).
 pub fn compliant_reaction(passage: &Passage<'_>, shape: Shape, window: f64) -> ReactionRow {
     let Passage { before, sample, hydro, .. } = passage;
     let kept = kept_share(before.mass, hydro.added_mass, hydro.exchange_coefficient, window);
+    let resisting = hydro.added_mass + hydro.exchange_coefficient * window;
+    let ahead = if resisting > 0.0 { hydro.added_mass / resisting * window } else { 0.0 };
+    let plain = reaction(passage, window);
     ReactionRow {
+        target_velocity: std::array::from_fn(|k| plain.target_velocity[k] + ahead * sample.acceleration[k]),
         relayed_volume: sample.wetted_fraction * shape.volume(before.radius) * (1.0 - kept),
         inverse_mass: 1.0 / before.mass,
-        ..reaction(passage, window)
+        ..plain
     }
 }

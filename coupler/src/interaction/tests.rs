@@ -6,7 +6,7 @@ use interface::frames::{GrainRow, HydroRow, ImpulseRow, ReactionRow, SampleRow};
 
 use super::drag::Drag;
 use super::exchange::{Relaxation, target_velocity};
-use super::{Interaction, InteractionError, Laws, Passage, Shape, reaction};
+use super::{Interaction, InteractionError, Laws, Passage, Shape, compliant_reaction, reaction};
 
 const STOKES: Laws = Laws { drag: Drag::Stokes, added_mass: 0.0, self_disturbance: false };
 
@@ -193,6 +193,30 @@ fn a_light_sphere_outruns_an_accelerated_fluid_by_its_added_mass() {
 }
 
 /// I = 2/5 m r² of a sphere, 1/2 m r² of a disc.
+#[test]
+fn a_grain_that_keeps_up_with_an_accelerating_fluid_takes_nothing_and_is_owed_nothing_in_one_pass() {
+    let (acceleration, window, radius) = ([2.0, -1.0, 0.5], 2e-3, 1e-3);
+    let grain = GrainRow { mass: 998.2 * Shape::Sphere.volume(radius), ..glass(radius) };
+    for beta in [0.0, 1e-3, 10.0] {
+        let sample = SampleRow { acceleration, ..water() };
+        let hydro =
+            HydroRow { exchange_coefficient: beta, added_mass: 0.5 * grain.mass, ..HydroRow::default() };
+        let velocity = acceleration.map(|a| a * window);
+        // Its drag is that of the fluid at the start, from which it leaves.
+        let drag = velocity.map(|v| -0.5 * beta * v * window);
+        let (after, impulse) = (GrainRow { velocity, ..grain }, ImpulseRow { drag, other: [0.0; 3] });
+        let passage =
+            Passage { before: &grain, after: &after, sample: &sample, hydro: &hydro, impulse: &impulse };
+        let reaction = compliant_reaction(&passage, Shape::Sphere, window);
+        for k in 0..3 {
+            let given = reaction.exchange_coefficient * (velocity[k] - reaction.target_velocity[k]) * window;
+            // What the drag lags behind within a window; nothing without drag.
+            let lag = beta * velocity[k] * window;
+            assert!((given - drag[k]).abs() <= lag.abs() + 1e-12 * grain.mass * velocity[k].abs(), "{given}");
+        }
+    }
+}
+
 #[test]
 fn in_a_long_window_grains_take_half_the_vorticity_as_their_spin() {
     let sample = SampleRow { vorticity: [0.0, 0.0, 8.0], ..water() };

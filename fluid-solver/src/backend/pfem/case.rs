@@ -25,9 +25,6 @@ const TOUCHING: f64 = 1e-6;
 const GROWTH: f64 = 0.3;
 /// Nodes are at most this many target sizes apart at the start.
 const SPARSE: f64 = 2.5;
-/// θ with gates: what a node that is put back leaves of divergence in v would else be turned round by each step, for ever.
-const WITH_GATES: f64 = 0.6;
-
 /// The fluid of a case.
 ///
 /// # Errors
@@ -95,10 +92,7 @@ fn backend<const D: usize, const N: usize>(
         document::FlowScheme::Segregated => flow::Scheme::Segregated,
         document::FlowScheme::FractionalStep => flow::Scheme::FractionalStep,
     };
-    let mut control = Control { tolerance: fluid.solve_tolerance(), scheme, ..Control::default() };
-    if !(openings.is_empty() && outlets.is_empty()) {
-        control.implicitness = WITH_GATES;
-    }
+    let control = Control { tolerance: fluid.solve_tolerance(), scheme, ..Control::default() };
     Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal, Gates::new(outlets)))
 }
 

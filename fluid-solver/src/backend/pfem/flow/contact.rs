@@ -12,6 +12,9 @@ const EDGE: f64 = 0.7;
 /// So often a node in a corner is put where the walls of it leave it, and these are looked at from there.
 const SWEEPS: usize = 3;
 
+/// A drop flies away from a wall with more than this share of its speed.
+const AWAY: f64 = 1e-9;
+
 /// A gap above minus this share of the way of a node is none.
 const TOUCHING: f64 = 1e-12;
 
@@ -75,11 +78,21 @@ impl<const D: usize> Contact<D> {
                 let along = moved(v, -apart, &before.normal);
                 let end = moved(place, step.length, &along);
                 let after = walls[wall].touch(&end, step.end());
-                let solid = || walls.iter().filter(|wall| wall.inflow.is_none());
-                let stopped = || solid().any(|wall| wall.touch(&end, step.end()).gap < 0.0);
+                let stopped = || walls.iter().any(|other| other.gap(&end, step.end()) < 0.0);
                 if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE && !stopped() {
                     touched.remove(wall);
                 }
+            }
+        }
+    }
+
+    /// Lets a drop go that flies away from the walls it touches: nothing sucks it back.
+    pub fn let_fly(&mut self, walls: &[Wall<D>], step: Step, node: usize, place: &Vector<D>, v: &Vector<D>) {
+        let speed = dot(v, v).sqrt();
+        for wall in self.touched[node].iter() {
+            let touch = walls[wall].touch(place, step.time);
+            if dot(&touch.normal, v) - dot(&touch.normal, &touch.velocity) > AWAY * speed {
+                self.touched[node].remove(wall);
             }
         }
     }
@@ -146,8 +159,8 @@ impl<const D: usize> Contact<D> {
             }
             let end = moved(&cloud.place[node], step.length, &v[node]);
             let way = step.length * v[node].iter().map(|v| v.abs()).sum::<f64>();
-            for (index, wall) in walls.iter().enumerate().filter(|(_, wall)| wall.inflow.is_none()) {
-                if !touched.contains(index) && wall.touch(&end, step.end()).gap < -TOUCHING * way {
+            for (index, wall) in walls.iter().enumerate() {
+                if !touched.contains(index) && wall.gap(&end, step.end()) < -TOUCHING * way {
                     touched.insert(index);
                     found += 1;
                 }

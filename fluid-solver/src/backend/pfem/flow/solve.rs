@@ -174,8 +174,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// Drops fly, and stop at walls.
     fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
         let Start { cloud, walls, step, forces } = start;
-        for (_, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
+        for (node, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
             *v = moved(v, 0.5 * step.length, &forces.gravity);
+            self.contact.let_fly(walls, step, node, &cloud.place[node], v);
         }
         self.contact.find(cloud, walls, step, velocity);
     }

@@ -60,7 +60,7 @@ pub fn restore(
         if norm > 1e-9 * size {
             let place = [0, 1].map(|k| cloud.place[node][k] + shift * g[k] / norm);
             let leaves = |(index, wall): (usize, &Wall<2>)| {
-                !cloud.contacts[node].contains(index) && wall.touch(&place, time).gap <= 0.0
+                !cloud.contacts[node].contains(index) && wall.gap(&place, time) <= 0.0
             };
             if !walls.iter().enumerate().any(leaves) {
                 cloud.place[node] = place;

@@ -86,6 +86,11 @@ impl<const D: usize> Wall<D> {
         self.motion.is_some()
     }
 
+    /// How far a point is from being stopped at a time (m): infinitely by an inlet.
+    pub fn gap(&self, x: &Vector<D>, time: f64) -> f64 {
+        if self.inflow.is_some() { f64::INFINITY } else { self.touch(x, time).gap }
+    }
+
     /// How the wall stands to a point at a time (s).
     pub fn touch(&self, x: &Vector<D>, time: f64) -> Touch<D> {
         let Some(motion) = &self.motion else { return self.shape.touch(x) };

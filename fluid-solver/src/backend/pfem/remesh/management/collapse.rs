@@ -88,7 +88,7 @@ fn merged(
         let norm = (x * x + y * y).sqrt();
         let direction = (norm > 0.3 * h).then(|| [-y / norm, x / norm]);
         let place = neutral([at(a), at(b), at(c), at(d)], middle, direction, length, h)?;
-        let inside = walls.iter().all(|wall| wall.touch(&place, time).gap > 0.0);
+        let inside = walls.iter().all(|wall| wall.gap(&place, time) > 0.0);
         return Some((b, if inside { place } else { middle }));
     }
     // Both on one wall: the contact node, where the surface leaves the wall, keeps its place.
