@@ -90,7 +90,7 @@ impl SpaceRemesher {
         self.management.manage(cloud, draft, walls, time);
         let managed = surface::enclosed(cloud, draft);
         book.management.add(managed - restored);
-        let stays = !draft.edited && !cloud.cells.is_empty() && unchanged::still_delaunay(cloud);
+        let stays = unchanged::stays(cloud, draft);
         spent.management += clock.lap();
 
         let (mut events, mut settled) = (Events::default(), 0.0);
