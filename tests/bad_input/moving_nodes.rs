@@ -93,12 +93,15 @@ fn walls_with_a_gap_between_them_are_refused() {
 
 #[test]
 fn a_boundary_that_is_no_plane_is_refused_with_what_to_do() {
-    let scene = Scene::tank().with("kind = \"free-surface\"", "kind = \"inlet\"\nspeed = \"1 m/s\"");
+    let scene = Scene::tank().with("kind = \"free-surface\"", "kind = \"moving-wall\"");
     assert_refused(
         &scene,
-        "\"inlet\"",
+        "\"moving-wall\"",
         "fluid.boundary[1].kind",
-        &["backend \"pfem\" has no kind \"inlet\"", "allowed: no-slip, slip, free-surface"],
+        &[
+            "backend \"pfem\" has no kind \"moving-wall\"",
+            "allowed: no-slip, slip, inlet, outlet, free-surface",
+        ],
     );
     let scene = Scene::tank().with("[\"x-min\", \"y-min\"]", "[\"x-min\", \"x-max\", \"y-min\", \"y-max\"]");
     let line = refusal(
@@ -109,6 +112,44 @@ fn a_boundary_that_is_no_plane_is_refused_with_what_to_do() {
         line.contains("there is no boundary \"lid\"; allowed: x-min, x-max, y-min, y-max, weir"),
         "{line}"
     );
+}
+
+/// The sound tank with an inlet in the plane of its left wall, 50 mm above the floor at most.
+fn with_inlet(lower: [&str; 2], upper: [&str; 2], normal: &str) -> Scene {
+    let table = format!(
+        "[[fluid.inlet]]\nname = \"pipe\"\nbox = {{ lower = {lower:?}, upper = {upper:?} }}\nnormal = {normal}\nspeed = \"1 m/s\"\n[[wall]]"
+    );
+    Scene::tank().with("[[wall]]", &table)
+}
+
+#[test]
+fn an_inlet_outside_of_the_vessel_or_facing_out_of_it_is_refused() {
+    let outside = ["behind the wall \"x-min\"", "move it into the vessel, or turn its normal round"];
+    let scene = with_inlet(["-50 mm", "60 mm"], ["-50 mm", "70 mm"], "[1, 0]");
+    assert_refused(&scene, "[[fluid.inlet]]", "fluid.inlet[0]", &outside);
+    let scene = with_inlet(["0 mm", "60 mm"], ["0 mm", "70 mm"], "[-1, 0]");
+    assert_refused(&scene, "[[fluid.inlet]]", "fluid.inlet[0]", &outside);
+}
+
+#[test]
+fn an_inlet_thinner_than_a_cell_is_refused() {
+    let scene = with_inlet(["0 mm", "60 mm"], ["0 mm", "63 mm"], "[1, 0]");
+    let message = ["\"pipe\" is 3.000e-3 m wide", "at least the size of the cells", "widen it"];
+    assert_refused(&scene, "[[fluid.inlet]]", "fluid.inlet[0]", &message);
+}
+
+#[test]
+fn an_inlet_half_in_the_fluid_is_refused() {
+    let scene = with_inlet(["0 mm", "45 mm"], ["0 mm", "80 mm"], "[1, 0]");
+    let message = ["the fluid covers 14 % of it", "raise the fluid over all of it, or lower it below"];
+    assert_refused(&scene, "[[fluid.inlet]]", "fluid.inlet[0]", &message);
+}
+
+#[test]
+fn fluid_behind_an_outlet_at_the_start_is_refused() {
+    let table = "[[fluid.outlet]]\nname = \"drain\"\nbeyond = { point = [\"20 mm\", \"0 mm\"], normal = [-1, 0] }\n[[wall]]";
+    let message = ["is behind the outlet \"drain\" at the start", "turn the normal round"];
+    assert_refused(&Scene::tank().with("[[wall]]", table), "[[fluid.outlet]]", "fluid.outlet", &message);
 }
 
 #[test]

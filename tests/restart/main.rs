@@ -58,6 +58,32 @@ fn a_dam_break_resumes_to_the_same_bytes() {
     assert_same_results(&folder.join("through"), &folder.join("killed"));
 }
 
+/// Fluid and grains come in through two inlets while the run is killed.
+#[test]
+fn a_container_that_fills_resumes_to_the_same_bytes() {
+    let folder = Folder::new();
+    let case = case("filling-container");
+    let changes = [
+        "time.end=\"0.2 s\"",
+        "output.series=\"10 ms\"",
+        "output.restart=\"50 ms\"",
+        "output.frames=\"50 ms\"",
+        "insertion[0].rate.stop=\"0.1 s\"",
+        "insertion[1].rate.stop=\"0.1 s\"",
+    ];
+    let through = run(&case, &folder.join("through"), &changes, &[]);
+    let mut live =
+        Live::start(&case, &folder.join("killed"), &changes, &["--hold", "fluid-solver:65:commit"]);
+    live.wait_held();
+    for pid in live.solvers().iter().map(|(pid, _)| *pid).chain([live.child.id()]) {
+        signal(pid, "KILL");
+    }
+    live.exit_code(Duration::from_secs(5));
+    let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
+    assert_eq!(resumed.status.code(), through.status.code(), "{}", stderr(&resumed));
+    assert_same_results(&folder.join("through"), &folder.join("killed"));
+}
+
 /// Contacts, walls, insertion over time and a two-way fluid: stopped by Ctrl-C at some commit, killed, or run through.
 #[test]
 fn a_coupled_run_with_contacts_resumes_to_the_same_bytes() {

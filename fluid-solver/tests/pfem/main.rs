@@ -2,6 +2,7 @@
 
 mod backend;
 mod flow;
+mod gates;
 mod grains;
 mod remesh;
 mod space;

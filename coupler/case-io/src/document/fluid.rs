@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::boundary::{Boundary, BoundaryVelocity};
+use super::gate::{Inlet, Outlet};
 use super::mesh::Mesh;
 use super::pfem::{Body, Pfem};
 use super::quantity::{Density, Viscosity};
@@ -36,6 +37,12 @@ pub struct Fluid {
     /// More fluid at the start (`pfem` only).
     #[serde(default)]
     pub body: Vec<Body>,
+    /// Where fluid comes in besides boundaries of the mesh (`pfem` only).
+    #[serde(default)]
+    pub inlet: Vec<Inlet>,
+    /// Where fluid leaves besides boundaries of the mesh (`pfem` only).
+    #[serde(default)]
+    pub outlet: Vec<Outlet>,
     /// Settings of `pfem`.
     pub pfem: Option<Pfem>,
 }

@@ -9,6 +9,7 @@ mod deletion;
 #[cfg(test)]
 pub(crate) mod fixture;
 mod fluid;
+mod gate;
 mod grain_field;
 mod grains;
 mod insertion;
@@ -44,6 +45,7 @@ pub use clump::{Clump, ClumpSphere, Spin, Turn};
 pub use coupling::{Acceleration, Coupling, Drag, Scheme, Tolerance};
 pub use deletion::Deletion;
 pub use fluid::{Backend, Field, Fluid, Solve};
+pub use gate::{Disc, Inlet, Outlet};
 pub use grain_field::GrainField;
 pub use grains::{
     CohesionLaw, Escape, Grains, Lubrication, NormalLaw, RollingLaw, TangentialLaw, TwistingLaw,

@@ -2,6 +2,7 @@
 
 use super::cloud::Cloud;
 use super::flow::{Flow, FlowFault, FlowSolution, Forces};
+use super::gate::{self, Gates};
 use super::grains::{GrainsInCloud, Solved};
 use super::remesh::TargetSize;
 use super::renewal::Renewal;
@@ -45,6 +46,7 @@ pub struct Pfem<const D: usize, const N: usize> {
     pub(super) state: State<D, N>,
     flow: Flow<D, N>,
     renewal: Box<dyn Renewal<D, N>>,
+    gates: Gates<D>,
     pub(super) grains: GrainsInCloud<D, N>,
     /// Of the iteration solved last in the open window.
     solution: Option<FlowSolution<D>>,
@@ -59,10 +61,11 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
         cloud: Cloud<D, N>,
         flow: Flow<D, N>,
         renewal: Box<dyn Renewal<D, N>>,
+        gates: Gates<D>,
     ) -> Self {
         let state = State::start(cloud, setting.medium.density, &setting.acceleration);
         let grains = GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len());
-        Self { setting, state, flow, renewal, grains, solution: None, iterate: None }
+        Self { setting, state, flow, renewal, gates, grains, solution: None, iterate: None }
     }
 
     /// The fluid.
@@ -78,6 +81,9 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
             None => (&cloud.velocity, &cloud.pressure),
         };
         let mass: f64 = linear::vector::sum(&solution.mass);
+        if mass == 0.0 {
+            return Norms::default();
+        }
         let mean = linear::vector::dot(&solution.mass, &cloud.pressure) / mass;
         let rms = |square: &dyn Fn(usize) -> f64| {
             let squares = solution.mass.iter().enumerate().map(|(i, mass)| mass * square(i));
@@ -143,7 +149,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         vec![
             format!("{} nodes, {} cells at the start", cloud.place.len(), cloud.cells.len()),
             format!("volume {:.6e} m^3 at the start", self.setting.depth * self.state.books.volume.target),
-            format!("{} walls, those of corners counted apart", self.setting.walls.len()),
+            format!("{} walls, those of corners counted apart, inlets too", self.setting.walls.len()),
         ]
     }
 
@@ -179,6 +185,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
     }
 
     fn solve(&mut self, step: Step, reactions: &[ReactionRow]) -> Result<Attempt, FluidError> {
+        gate::prescribe(&mut self.setting.walls, &self.state.cloud, step);
         let Setting { walls, acceleration, response, .. } = &self.setting;
         let suspension = self.grains.react(step, reactions).filter(|_| *response == Response::TwoWay);
         let forces = Forces { gravity: *acceleration, grains: suspension };
@@ -206,11 +213,12 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
 
     fn commit(&mut self, step: Step) -> Result<(), FluidError> {
         let Some(solution) = self.solution.take() else { return Ok(()) };
-        let State { cloud, books, given, counts, fluid_volume } = &mut self.state;
+        let Setting { walls, size, response, acceleration, medium, .. } = &self.setting;
         let work = solution.reaction.iter().zip(&solution.velocity).map(|(force, v)| dot(force, v));
-        *given += step.length * work.sum::<f64>();
-        solution.advance(cloud, step);
-        let Setting { walls, size, response, .. } = &self.setting;
+        self.state.given += step.length * work.sum::<f64>();
+        let passed = self.gates.advance(&mut self.state.cloud, walls, step, &solution, acceleration);
+        self.state.pass(&passed, medium.density);
+        let State { cloud, books, counts, fluid_volume, .. } = &mut self.state;
         if *response == Response::TwoWay {
             books.volume.target = *fluid_volume + self.grains.wetted_volume();
         }

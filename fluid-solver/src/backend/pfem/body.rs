@@ -57,6 +57,14 @@ impl<const D: usize, const N: usize> Body<D, N> {
             let around = (1..=rings).flat_map(|ring| shell(radius * ring as f64 / rings as f64, ring));
             [[0.0; 3]].into_iter().chain(around).map(|x| std::array::from_fn(|k| centre[k] + x[k])).collect()
         };
+        Self::of_points(place)
+    }
+
+    /// The convex hull of points, in Delaunay's cells.
+    ///
+    /// # Errors
+    /// More points than can be triangulated.
+    pub fn of_points(place: Vec<Vector<D>>) -> Result<Self, delaunay::Error> {
         let ranks: Vec<u32> = (0..place.len() as u32).collect();
         let mut mesh = Delaunay::<D, N>::new();
         let made = mesh.triangulate(&place, &ranks)?;

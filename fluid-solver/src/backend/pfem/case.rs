@@ -4,6 +4,7 @@ use super::backend::{Pfem, Setting};
 use super::body::Body;
 use super::cloud::Cloud;
 use super::flow::{self, Control, Flow};
+use super::gate::{self, Gates, Opening};
 use super::remesh::{Recognition, Remesher, SpaceRemesher, TargetSize};
 use super::renewal::Renewal;
 use super::wall::{Wall, refuse_gaps, walls};
@@ -22,6 +23,8 @@ const ALPHA: f64 = 1.25;
 const TOUCHING: f64 = 1e-6;
 /// Nodes are at most this many target sizes apart at the start.
 const SPARSE: f64 = 2.5;
+/// θ with gates: what a node that is put back leaves of divergence in v would else be turned round by each step, for ever.
+const WITH_GATES: f64 = 0.6;
 
 /// The fluid of a case.
 ///
@@ -58,9 +61,17 @@ fn backend<const D: usize, const N: usize>(
     let stated = fluid.pfem.as_ref().and_then(|pfem| pfem.size).map(|size| size.si());
     let first = mesh.as_ref().map(|mesh| start(fluid, mesh));
     let size = stated.or(first.as_ref().map(Body::mean_size)).unwrap_or_default();
-    let walls = walls(case, fluid, mesh.as_ref())?;
+    let mut walls = walls(case, fluid, mesh.as_ref())?;
     refuse_gaps(case, &walls, size)?;
-    let cloud = cloud(case, fluid, first, &walls, size)?;
+    let (mut all, mut velocity) = bodies(case, fluid, first, size)?;
+    let openings = gate::open(case, fluid, mesh.as_ref(), &mut walls, size, &mut all)?;
+    velocity.resize(all.place.len(), [0.0; D]);
+    refuse_unfit(case, &all, size)?;
+    let outlets = gate::outlets(case, fluid, mesh.as_ref(), size, &all)?;
+    let mut cloud = all.cloud();
+    cloud.velocity = velocity;
+    touch(case, &mut cloud, &walls, size)?;
+    enter(&mut cloud, &walls, &openings);
     let body_force = fluid.body_force.as_ref().map_or([0.0; D], |force| force.to_array());
     let gravity: Vector<D> = table.gravity.to_array();
     let setting = Setting {
@@ -74,8 +85,11 @@ fn backend<const D: usize, const N: usize>(
     };
     let rheology = flow::Rheology::Newtonian(flow::Newtonian { viscosity: fluid.viscosity.si() });
     let properties = flow::Fluid { density: fluid.density.si(), rheology, bulk_modulus: None };
-    let control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
-    Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal))
+    let mut control = Control { tolerance: fluid.solve_tolerance(), ..Control::default() };
+    if !(openings.is_empty() && outlets.is_empty()) {
+        control.implicitness = WITH_GATES;
+    }
+    Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal, Gates::new(outlets)))
 }
 
 /// The body that the mesh is, its top where the case states it.
@@ -93,14 +107,13 @@ fn start<const D: usize, const N: usize>(fluid: &Fluid, mesh: &Mesh<D, N>) -> Bo
     body.with_surface(lower[D - 1], upper[D - 1], height)
 }
 
-/// All bodies of the case, with their velocities, touching their walls.
-fn cloud<const D: usize, const N: usize>(
+/// All bodies of the case, with their velocities.
+fn bodies<const D: usize, const N: usize>(
     case: &Case,
     fluid: &Fluid,
     first: Option<Body<D, N>>,
-    walls: &[Wall<D>],
     size: f64,
-) -> Result<Cloud<D, N>, FluidError> {
+) -> Result<(Body<D, N>, Vec<Vector<D>>), FluidError> {
     let mut all = first.unwrap_or_default();
     let whole = velocity_field(fluid.velocity.as_ref());
     let mut velocity: Vec<Vector<D>> = all.place.iter().map(|x| whole(x, 0.0)).collect();
@@ -116,11 +129,7 @@ fn cloud<const D: usize, const N: usize>(
         velocity.extend(body.place.iter().map(|x| own(x, 0.0)));
         all.join(body);
     }
-    refuse_unfit(case, &all, size)?;
-    let mut cloud = all.cloud();
-    cloud.velocity = velocity;
-    touch(case, &mut cloud, walls, size)?;
-    Ok(cloud)
+    Ok((all, velocity))
 }
 
 /// Refuses a fluid without volume, nodes too far apart for the size, and nodes at one place.
@@ -179,7 +188,7 @@ fn touch<const D: usize, const N: usize>(
     size: f64,
 ) -> Result<(), FluidError> {
     for (x, contacts) in cloud.place.iter().zip(&mut cloud.contacts) {
-        for (index, wall) in walls.iter().enumerate() {
+        for (index, wall) in walls.iter().enumerate().filter(|(_, wall)| wall.inflow.is_none()) {
             let gap = wall.touch(x, 0.0).gap;
             if gap < -TOUCHING * size {
                 let found =
@@ -193,4 +202,15 @@ fn touch<const D: usize, const N: usize>(
         }
     }
     Ok(())
+}
+
+/// Puts nodes into inlets; they and the layers of cells before inlets have the velocity of what comes in.
+fn enter<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, walls: &[Wall<D>], openings: &[Opening]) {
+    for Opening { wall, nodes, layer } in openings {
+        nodes.iter().for_each(|&node| cloud.contacts[node as usize].insert(*wall));
+        let Some(inflow) = &walls[*wall].inflow else { continue };
+        for node in nodes.iter().map(|&node| node as usize).chain(layer.clone()) {
+            cloud.velocity[node] = inflow.stated(&cloud.place[node], 0.0);
+        }
+    }
 }

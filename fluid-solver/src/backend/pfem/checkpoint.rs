@@ -1,6 +1,7 @@
 //! What a fluid of moving nodes needs to go on with the same bits.
 
 use super::cloud::Cloud;
+use super::gate::{Amount, Passed};
 use super::remesh::{Account, Books, EnergyBooks, VolumeBooks};
 use super::state::{Counts, State};
 use super::wall::Contacts;
@@ -13,7 +14,7 @@ pub fn save<'a, const D: usize, const N: usize>(
     state: &'a State<D, N>,
     writer: CheckpointWriter<'a>,
 ) -> CheckpointWriter<'a> {
-    let State { cloud, books, given, counts, fluid_volume } = state;
+    let State { cloud, books, given, counts, fluid_volume, passed } = state;
     let Cloud { place, velocity, pressure, contacts, drop, birth, cells, neighbours, struck } = cloud;
     let contacts: Vec<u32> = contacts.iter().map(|contacts| contacts.bits()).collect();
     let counts = counts.named().map(|(_, count)| count);
@@ -30,6 +31,7 @@ pub fn save<'a, const D: usize, const N: usize>(
         .made("books", &written(books))
         .made("given", &[*given])
         .made("fluid-volume", &[*fluid_volume])
+        .made("passed", &[amount(&passed.entered), amount(&passed.left)].concat())
         .made("counts", &counts)
 }
 
@@ -67,13 +69,28 @@ pub fn load<const D: usize, const N: usize>(checkpoint: &Checkpoint) -> Result<S
         return Err(found("counts", counts.len()));
     };
     let books: Vec<f64> = checkpoint.array("books")?;
+    let passed: Vec<f64> = checkpoint.array("passed")?;
+    let (entered, left) = passed.split_at(passed.len() / 2);
+    let amounts = amount_of(entered).zip(amount_of(left));
+    let (entered, left) = amounts.ok_or_else(|| found("passed", passed.len()))?;
     Ok(State {
         cloud,
+        passed: Passed { entered, left },
         books: read(&books).ok_or_else(|| found("books", books.len()))?,
         given: checkpoint.array("given")?.first().copied().unwrap_or_default(),
         fluid_volume: checkpoint.array("fluid-volume")?.first().copied().unwrap_or_default(),
         counts: Counts { closed, filled, broken, released, absorbed },
     })
+}
+
+fn amount<const D: usize>(amount: &Amount<D>) -> Vec<f64> {
+    let Amount { volume, momentum, energy } = amount;
+    [&[*volume, *energy], momentum.as_slice()].concat()
+}
+
+fn amount_of<const D: usize>(numbers: &[f64]) -> Option<Amount<D>> {
+    let &[volume, energy, ref momentum @ ..] = numbers else { return None };
+    Some(Amount { volume, energy, momentum: momentum.try_into().ok()? })
 }
 
 fn by_rows<T: Copy, const K: usize>(flat: Vec<T>) -> Vec<[T; K]> {
@@ -84,6 +101,7 @@ fn by_rows<T: Copy, const K: usize>(flat: Vec<T>) -> Vec<[T; K]> {
 fn accounts<const D: usize>(books: &mut Books<D>) -> Vec<&mut Account> {
     let Books { volume, energy: EnergyBooks { kinetic, moment } } = books;
     let VolumeBooks {
+        start: _,
         target: _,
         cells: _,
         drops: _,
@@ -101,15 +119,15 @@ fn accounts<const D: usize>(books: &mut Books<D>) -> Vec<&mut Account> {
 
 fn written<const D: usize>(books: &Books<D>) -> Vec<f64> {
     let mut books = *books;
-    let volumes = [books.volume.target, books.volume.cells, books.volume.drops];
+    let VolumeBooks { start, target, cells, drops, .. } = books.volume;
     let accounts = accounts(&mut books).into_iter().flat_map(|account| [account.sum, account.absolute]);
-    volumes.into_iter().chain(accounts).collect()
+    [start, target, cells, drops].into_iter().chain(accounts).collect()
 }
 
 fn read<const D: usize>(numbers: &[f64]) -> Option<Books<D>> {
-    let (&[target, cells, drops], rest) = numbers.split_first_chunk()?;
+    let (&[start, target, cells, drops], rest) = numbers.split_first_chunk()?;
     let mut books = Books::default();
-    (books.volume.target, books.volume.cells, books.volume.drops) = (target, cells, drops);
+    books.volume = VolumeBooks { start, target, cells, drops, ..VolumeBooks::default() };
     let accounts = accounts(&mut books);
     let (pairs, []) = rest.as_chunks::<2>() else { return None };
     if pairs.len() != accounts.len() {

@@ -45,4 +45,29 @@ impl<const D: usize, const N: usize> Cloud<D, N> {
         }
         wet
     }
+
+    /// Takes nodes of no cell out, and numbers the others anew: `number` is that of each, if it stays.
+    pub fn remove(&mut self, removed: &[bool], number: &mut Vec<u32>) {
+        number.clear();
+        let mut kept = 0;
+        for &removed in removed {
+            number.push(if removed { OUTSIDE } else { kept });
+            kept += u32::from(!removed);
+        }
+        retain(removed, &mut self.place);
+        retain(removed, &mut self.velocity);
+        retain(removed, &mut self.pressure);
+        retain(removed, &mut self.contacts);
+        retain(removed, &mut self.drop);
+        retain(removed, &mut self.birth);
+        for node in self.cells.iter_mut().flatten() {
+            *node = number[*node as usize];
+        }
+    }
+}
+
+/// Takes out the values of nodes that are removed.
+pub fn retain<T>(removed: &[bool], values: &mut Vec<T>) {
+    let mut gone = removed.iter();
+    values.retain(|_| gone.next() == Some(&false));
 }

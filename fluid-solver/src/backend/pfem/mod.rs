@@ -9,6 +9,7 @@ mod case;
 mod checkpoint;
 pub mod cloud;
 pub mod flow;
+pub mod gate;
 pub mod grains;
 mod output;
 mod probe;

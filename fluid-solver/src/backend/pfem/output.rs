@@ -27,7 +27,9 @@ pub fn statistics<const D: usize, const N: usize>(
     let volume = books.cells + books.drops;
     let mut found = vec![
         ("volume[m^3]", depth * volume),
-        ("volume-error[-]", (volume - books.target) / books.target),
+        ("volume-error[-]", (volume - books.target) / books.target.max(books.start)),
+        ("volume-entered[m^3]", depth * state.passed.entered.volume),
+        ("volume-left[m^3]", depth * state.passed.left.volume),
         ("drops[m^3]", depth * books.drops),
         ("volume-by-flow[m^3]", depth * books.flow.sum),
         ("volume-by-management[m^3]", depth * books.management.sum),
@@ -46,7 +48,14 @@ pub fn statistics<const D: usize, const N: usize>(
     let mass = lumped(cloud);
     let momentum = |k: usize| mass.iter().zip(&cloud.velocity).map(|(mass, v)| mass * v[k]).sum::<f64>();
     found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.medium.density * momentum(k))));
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
+    const ENTERED: [&str; 3] =
+        ["momentum-entered-x[kg m/s]", "momentum-entered-y[kg m/s]", "momentum-entered-z[kg m/s]"];
+    const LEFT: [&str; 3] = ["momentum-left-x[kg m/s]", "momentum-left-y[kg m/s]", "momentum-left-z[kg m/s]"];
+    for (names, amount) in [(ENTERED, &state.passed.entered), (LEFT, &state.passed.left)] {
+        found.extend((0..D).map(|k| (names[k], depth * setting.medium.density * amount.momentum[k])));
+    }
+    // A fluid without nodes has no extremes.
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max).unwrap_or(0.0);
     for (k, [lowest, highest]) in REACH.into_iter().take(D).enumerate() {
         let wet = mass.iter().zip(&cloud.drop).map(|(mass, drop)| *drop == 0.0 && *mass > 0.0);
         let reach = |sign: f64| {

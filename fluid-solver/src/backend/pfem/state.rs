@@ -1,6 +1,7 @@
 //! What the fluid is between two steps, and all that the next one depends on.
 
 use super::cloud::Cloud;
+use super::gate::Passed;
 use super::remesh::{Books, Events, energy};
 use crate::element::simplex::Vector;
 
@@ -11,10 +12,13 @@ pub struct State<const D: usize, const N: usize> {
     pub cloud: Cloud<D, N>,
     /// What remeshing did to volume and energy.
     pub books: Books<D>,
-    /// Energy (J per m of depth in 2D): what it was at the start, and what walls and the body force have given since.
+    /// Energy (J per m of depth in 2D): what it was at the start, and what walls, the body force and the gates have given
+    /// since.
     pub given: f64,
     /// Volume of the fluid without the grains in it (m³; m² in 2D): what the cells and drops hold less what grains take.
     pub fluid_volume: f64,
+    /// What passed inlets and outlets since the start.
+    pub passed: Passed<D>,
     /// What happened to the surface.
     pub counts: Counts,
 }
@@ -65,6 +69,16 @@ impl<const D: usize, const N: usize> State<D, N> {
         let (kinetic, potential) = state.energies(density, acceleration);
         state.given = kinetic + potential;
         state
+    }
+
+    /// Books what passed the gates in a step.
+    pub fn pass(&mut self, passed: &Passed<D>, density: f64) {
+        let gained = passed.entered.less(&passed.left);
+        self.passed = self.passed.and(passed);
+        self.given += density * gained.energy;
+        self.fluid_volume += gained.volume;
+        self.books.volume.target += gained.volume;
+        self.books.volume.cells += gained.volume;
     }
 
     /// ∫½ρ|v|² dV and −∫ρg·x dV, drops included (J; per m of depth in 2D).

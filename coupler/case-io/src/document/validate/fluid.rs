@@ -1,5 +1,6 @@
 //! `[fluid]` and `[[fluid.boundary]]`
 
+use super::gate;
 use super::mesh::{self, boundary_names};
 use super::pfem;
 use super::rules::Rules;
@@ -17,7 +18,7 @@ pub(super) fn check(document: &Document, rules: &Rules) -> Result<(), CaseError>
 }
 
 fn imposed(fluid: &Fluid, rules: &Rules) -> Result<(), CaseError> {
-    for key in ["mesh", "boundary", "velocity", "body-force", "solve"] {
+    for key in ["mesh", "boundary", "inlet", "outlet", "velocity", "body-force", "solve"] {
         rules.no_effect(&format!("fluid.{key}"), "with backend = \"imposed\"")?;
     }
     rules.required(
@@ -44,7 +45,7 @@ fn computed(document: &Document, fluid: &Fluid, rules: &Rules) -> Result<(), Cas
     )?;
     match (&fluid.mesh, fluid.backend) {
         (Some(mesh), _) => mesh::check(mesh, rules)?,
-        (None, Backend::Pfem) if !fluid.body.is_empty() => {}
+        (None, Backend::Pfem) if !fluid.body.is_empty() || !fluid.inlet.is_empty() => {}
         (None, _) => {
             let advice = format!("backend {backend} needs it: add [fluid.mesh] with box, pipe or gmsh");
             return rules.required("fluid.mesh", advice);
@@ -52,8 +53,9 @@ fn computed(document: &Document, fluid: &Fluid, rules: &Rules) -> Result<(), Cas
     }
     if fluid.backend == Backend::Pfem {
         pfem::check(fluid, rules)?;
+        gate::check(fluid, rules)?;
     } else {
-        for key in ["pfem", "body", "mesh.box.surface"] {
+        for key in ["pfem", "body", "inlet", "outlet", "mesh.box.surface"] {
             rules.no_effect(&format!("fluid.{key}"), format_args!("with backend = {backend}"))?;
         }
     }
@@ -114,12 +116,11 @@ fn boundary(fluid: &Fluid, boundary: &Boundary, index: usize, rules: &Rules) -> 
         BoundaryKind::MovingWall => (&["velocity"], "moving-wall"),
         BoundaryKind::FreeSurface => (&[], "free-surface"),
     };
-    let still = matches!(kind, BoundaryKind::NoSlip | BoundaryKind::Slip);
     let moves = fluid.backend == Backend::Pfem;
-    if moves && !still && kind != BoundaryKind::FreeSurface {
+    if moves && kind == BoundaryKind::MovingWall {
         let found = format!("backend \"pfem\" has no kind \"{word}\"");
         let advice = "state a wall that moves as [[wall]] with motion";
-        return rules.refuse(&key("kind"), found, "no-slip, slip, free-surface", advice);
+        return rules.refuse(&key("kind"), found, "no-slip, slip, inlet, outlet, free-surface", advice);
     }
     if !moves && kind == BoundaryKind::FreeSurface {
         let found = "the mesh of backend \"eulerian\" stays where it is and has no free surface";
@@ -140,6 +141,9 @@ fn boundary(fluid: &Fluid, boundary: &Boundary, index: usize, rules: &Rules) -> 
         if boundary.speed.is_none() {
             rules.no_effect(&key("profile"), "without speed")?;
         }
+    }
+    if moves {
+        gate::boundary(boundary, &table, rules)?;
     }
     if kind == BoundaryKind::MovingWall {
         rules.required(&key("velocity"), "a moving wall needs it")?;

@@ -6,6 +6,7 @@ mod cohesion;
 mod coupling;
 mod deletion;
 mod fluid;
+mod gate;
 mod general;
 mod grains;
 mod insertion;

@@ -67,8 +67,8 @@ mod tests {
             &[
                 (
                     "kind = \"free-surface\"",
-                    "kind = \"outlet\"",
-                    "case.toml:19: fluid.boundary[1].kind: backend \"pfem\" has no kind \"outlet\"; allowed: no-slip, slip, free-surface; state a wall that moves as [[wall]] with motion",
+                    "kind = \"moving-wall\"",
+                    "case.toml:19: fluid.boundary[1].kind: backend \"pfem\" has no kind \"moving-wall\"; allowed: no-slip, slip, inlet, outlet, free-surface; state a wall that moves as [[wall]] with motion",
                 ),
                 (
                     "backend = \"pfem\"",

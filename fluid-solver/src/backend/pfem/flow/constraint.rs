@@ -18,6 +18,13 @@ impl<const D: usize> Constraint<D> {
     /// Nothing prescribed.
     pub const FREE: Self = Self { directions: [[0.0; D]; D], rank: 0, given: [0.0; D] };
 
+    /// All of the velocity prescribed.
+    pub fn whole(velocity: &Vector<D>) -> Self {
+        let mut constraint = Self::FREE;
+        constraint.complete(velocity);
+        constraint
+    }
+
     /// Adds n·v = c for a unit normal n; the earlier ones hold where they contradict.
     pub fn add(&mut self, normal: &Vector<D>, value: f64) {
         let rest = self.free(normal);

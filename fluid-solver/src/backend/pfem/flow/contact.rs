@@ -3,7 +3,7 @@
 use super::constraint::Constraint;
 use crate::backend::Step;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
-use crate::backend::pfem::wall::{Contacts, Grip, Wall};
+use crate::backend::pfem::wall::{Contacts, Grip, Wall, inlet_of, inlet_velocity};
 use crate::element::simplex::{Vector, dot};
 
 /// A node that slides past an edge lets go of the wall where its normal turns by more than the angle of this cosine.
@@ -65,6 +65,9 @@ impl<const D: usize> Contact<D> {
     pub fn release<const N: usize>(&mut self, cloud: &Cloud<D, N>, walls: &[Wall<D>], step: Step) {
         for (node, touched) in self.touched.iter_mut().enumerate().filter(|(_, touched)| !touched.is_empty())
         {
+            if inlet_of(walls, *touched).is_some() {
+                continue;
+            }
             let (place, v) = (&cloud.place[node], &cloud.velocity[node]);
             for wall in cloud.contacts[node].iter() {
                 let before = walls[wall].touch(place, step.time);
@@ -72,7 +75,8 @@ impl<const D: usize> Contact<D> {
                 let along = moved(v, -apart, &before.normal);
                 let end = moved(place, step.length, &along);
                 let after = walls[wall].touch(&end, step.end());
-                let stopped = || walls.iter().any(|other| other.touch(&end, step.end()).gap < 0.0);
+                let solid = || walls.iter().filter(|wall| wall.inflow.is_none());
+                let stopped = || solid().any(|wall| wall.touch(&end, step.end()).gap < 0.0);
                 if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE && !stopped() {
                     touched.remove(wall);
                 }
@@ -81,7 +85,8 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Prescribes v_m such that the gaps at the end vanish: n·v_m = n·v − gap(x_n + Δt v)/Δt, linear about the iterate v, or
-    /// in a corner about the place that the walls of it leave; a node that sticks has the velocity of the wall in the middle of the step.
+    /// in a corner about the place that the walls of it leave; a node that sticks has the velocity of the wall in the middle
+    /// of the step, one in an inlet that of what comes in.
     pub fn constrain<const N: usize>(
         &mut self,
         cloud: &Cloud<D, N>,
@@ -95,6 +100,10 @@ impl<const D: usize> Contact<D> {
                 continue;
             }
             let (place, mut v) = (&cloud.place[node], v[node]);
+            if let Some(given) = inlet_velocity(walls, *touched, place, middle) {
+                self.constraints[node] = Constraint::whole(&given);
+                continue;
+            }
             let held = cloud.contacts[node].iter();
             let gripping = held.filter(|_| self.sticks[node]).find(|&wall| walls[wall].grip == Grip::NoSlip);
             if let Some(wall) = gripping {
@@ -121,7 +130,8 @@ impl<const D: usize> Contact<D> {
         }
     }
 
-    /// Adds the walls that nodes would cross with these velocities; how many.
+    /// Adds the walls that nodes would cross with these velocities; how many. Nodes in inlets cross none, and none come to be in
+    /// one.
     pub fn find<const N: usize>(
         &mut self,
         cloud: &Cloud<D, N>,
@@ -131,9 +141,12 @@ impl<const D: usize> Contact<D> {
     ) -> usize {
         let mut found = 0;
         for (node, touched) in self.touched.iter_mut().enumerate() {
+            if inlet_of(walls, *touched).is_some() {
+                continue;
+            }
             let end = moved(&cloud.place[node], step.length, &v[node]);
             let way = step.length * v[node].iter().map(|v| v.abs()).sum::<f64>();
-            for (index, wall) in walls.iter().enumerate() {
+            for (index, wall) in walls.iter().enumerate().filter(|(_, wall)| wall.inflow.is_none()) {
                 if !touched.contains(index) && wall.touch(&end, step.end()).gap < -TOUCHING * way {
                     touched.insert(index);
                     found += 1;
@@ -143,7 +156,8 @@ impl<const D: usize> Contact<D> {
         found
     }
 
-    /// v_{n+1} of a node that moved with v_m = `middle`: the walls' own velocity in the directions they hold, `v` else.
+    /// v_{n+1} of a node that moved with v_m = `middle`: the walls' own velocity in the directions they hold, `v` else; all of
+    /// it is given in an inlet.
     pub fn at_end<const N: usize>(
         &self,
         cloud: &Cloud<D, N>,
@@ -154,6 +168,9 @@ impl<const D: usize> Contact<D> {
         v: &Vector<D>,
     ) -> Vector<D> {
         let (touched, held) = (self.touched[node], cloud.contacts[node]);
+        if let Some(given) = inlet_velocity(walls, touched, &cloud.place[node], step.end()) {
+            return given;
+        }
         let place = moved(&cloud.place[node], step.length, middle);
         let mut constraint = Constraint::FREE;
         let mut gripped = None;

@@ -14,9 +14,9 @@ pub struct Strain {
     pub most: f64,
 }
 
-/// Share of V* below which a cell in space is a sliver, of no thickness but with long edges: it may turn over by as much,
-/// for the next mesh replaces it.
-const SLIVER: f64 = 0.02;
+/// Share of V* below which a cell is a sliver, of no thickness but with long edges: it may turn over by as much, for the next
+/// mesh replaces it. In the plane there are such only where walls or events leave them.
+const SLIVER: [f64; 2] = [0.005, 0.02];
 
 impl Default for Strain {
     fn default() -> Self {
@@ -35,11 +35,8 @@ impl Strain {
         let rate = volume_polynomial(corners, v);
         let volume = rate[0];
         let regular = regular_volume(D) * longest_edge(corners).powi(D as i32);
-        let least = if D == 3 && volume < SLIVER * regular {
-            -SLIVER * regular
-        } else {
-            self.least * volume.min(self.thin * regular)
-        };
+        let sliver = SLIVER[D - 2] * regular;
+        let least = if volume < sliver { -sliver } else { self.least * volume.min(self.thin * regular) };
         let bounds = (least, volume + self.most * regular);
         let value = |t: f64| rate.iter().rev().fold(0.0, |sum, c| sum * t + c);
         let within = |t: f64| (bounds.0..=bounds.1).contains(&value(t));

@@ -23,7 +23,9 @@ impl Account {
 /// Volume of the cells (m³; m² in 2D), by what changed it. Drops in flight are counted apart.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VolumeBooks {
-    /// Volume that there should be: the first one, and what came in through inlets since.
+    /// Volume at the start.
+    pub start: f64,
+    /// Volume that there should be: the first one, and what came in through inlets since, less what left.
     pub target: f64,
     /// Volume of the cells at the end of the last remeshing.
     pub cells: f64,
@@ -49,7 +51,7 @@ impl VolumeBooks {
     /// Books of a fluid at its start.
     pub fn start<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Self {
         let (cells, drops) = (volume(cloud), cloud.drop.iter().sum());
-        Self { target: cells + drops, cells, drops, ..Self::default() }
+        Self { start: cells + drops, target: cells + drops, cells, drops, ..Self::default() }
     }
 
     /// What is missing of the target (positive) or too much.

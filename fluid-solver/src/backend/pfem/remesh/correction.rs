@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::Wall;
+use crate::backend::pfem::wall::{Wall, inlet_of};
 use crate::element::simplex::{Vector, dot};
 
 /// Share of what is missing that one step restores.
@@ -45,7 +45,7 @@ pub fn restore(
             let into = dot(g, &normal);
             *g = [0, 1].map(|k| g[k] - into * normal[k]);
         }
-        if cloud.contacts[node].iter().count() > 1 {
+        if cloud.contacts[node].iter().count() > 1 || inlet_of(walls, cloud.contacts[node]).is_some() {
             *g = [0.0; 2];
         }
         sum += dot(g, g).sqrt();

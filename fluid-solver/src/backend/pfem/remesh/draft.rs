@@ -2,7 +2,7 @@
 
 use super::books::volumes;
 use super::size::TargetSize;
-use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
+use crate::backend::pfem::cloud::{Cloud, OUTSIDE, retain};
 use crate::backend::pfem::wall::Contacts;
 use crate::element::simplex::{Vector, distance};
 
@@ -152,33 +152,17 @@ impl<const D: usize> Draft<D> {
         if !self.removed.contains(&true) {
             return;
         }
-        self.place_of.clear();
-        let mut kept = 0;
-        for &removed in &self.removed {
-            self.place_of.push(if removed { NONE } else { kept });
-            kept += u32::from(!removed);
-        }
         let removed = std::mem::take(&mut self.removed);
-        retain(&removed, &mut cloud.place);
-        retain(&removed, &mut cloud.velocity);
-        retain(&removed, &mut cloud.pressure);
-        retain(&removed, &mut cloud.contacts);
-        retain(&removed, &mut cloud.drop);
-        retain(&removed, &mut cloud.birth);
+        cloud.remove(&removed, &mut self.place_of);
         retain(&removed, &mut self.size);
         retain(&removed, &mut self.mass);
         self.removed = removed;
         self.removed.clear();
-        self.removed.resize(kept as usize, false);
-        for node in self.edges.iter_mut().flatten().chain(cloud.cells.iter_mut().flatten()) {
+        self.removed.resize(cloud.place.len(), false);
+        for node in self.edges.iter_mut().flatten() {
             *node = self.place_of[*node as usize];
         }
     }
-}
-
-fn retain<T>(removed: &[bool], values: &mut Vec<T>) {
-    let mut gone = removed.iter();
-    values.retain(|_| gone.next() == Some(&false));
 }
 
 /// Height of a triangle over its longest edge, signed as its area (m).

@@ -11,7 +11,7 @@ use surface::triangles::Format;
 /// Points of a flat boundary are this near to its plane, in parts of the size of the mesh.
 const FLAT: f64 = 1e-6;
 
-/// The walls that `[[fluid.boundary]]` names, in that order: flat boundaries of the mesh as planes without end, and walls of
+/// The walls that `[[fluid.boundary]]` names, in that order, without inlets and outlets: flat boundaries of the mesh as planes without end, and walls of
 /// the case, those of segments and triangles cut into patches.
 ///
 /// # Errors
@@ -27,7 +27,8 @@ pub fn walls<const D: usize, const N: usize>(
             let key = format!("fluid.boundary[{index}].on[{place}]");
             let grip = match boundary.kind {
                 BoundaryKind::NoSlip => Grip::NoSlip,
-                // Loading has refused all kinds but those two and this.
+                BoundaryKind::Inlet | BoundaryKind::Outlet => continue,
+                // Loading has refused all kinds but those and this.
                 _ => Grip::Slip,
             };
             let is_free = boundary.kind == BoundaryKind::FreeSurface;
@@ -35,7 +36,7 @@ pub fn walls<const D: usize, const N: usize>(
             match (of_mesh, case.document.wall.iter().position(|wall| wall.name == *name)) {
                 (Some(_), _) if is_free => {}
                 (Some((mesh, group)), _) => {
-                    let plane = flat(case, &key, name, mesh, group)?;
+                    let plane = flat_boundary(case, &key, name, mesh, group)?;
                     walls.push(Wall::new(name, Shape::Plane(plane), grip));
                 }
                 (None, Some(wall)) => walls.extend(of_table(case, wall, grip)?),
@@ -59,8 +60,11 @@ pub fn walls<const D: usize, const N: usize>(
     Ok(walls)
 }
 
-/// The plane of a boundary of the mesh.
-fn flat<const D: usize, const N: usize>(
+/// The plane of a boundary of the mesh, its normal into the fluid.
+///
+/// # Errors
+/// A boundary that is not flat, or has fluid behind it.
+pub fn flat_boundary<const D: usize, const N: usize>(
     case: &Case,
     key: &str,
     name: &str,

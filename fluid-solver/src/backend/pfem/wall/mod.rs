@@ -3,13 +3,15 @@
 mod case;
 mod contacts;
 mod cut;
+mod inflow;
 mod patch;
 mod plane;
 mod round;
 
-pub use case::{refuse_gaps, walls};
+pub use case::{flat_boundary, refuse_gaps, walls};
 pub use contacts::Contacts;
 pub use cut::patches;
+pub use inflow::{Inflow, inlet_of, inlet_velocity};
 pub use patch::Patch;
 pub use plane::Plane;
 pub use round::Round;
@@ -49,7 +51,7 @@ pub enum Shape<const D: usize> {
 }
 
 /// A wall.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Wall<const D: usize> {
     /// Its name in messages.
     pub name: String,
@@ -57,6 +59,8 @@ pub struct Wall<const D: usize> {
     pub shape: Shape<D>,
     /// Whether the fluid sticks.
     pub grip: Grip,
+    /// What it lets in: then it is an inlet, which nodes are in from the start, or never.
+    pub inflow: Option<Inflow<D>>,
     /// How it moves.
     motion: Option<Motion<D>>,
 }
@@ -64,7 +68,12 @@ pub struct Wall<const D: usize> {
 impl<const D: usize> Wall<D> {
     /// A wall at rest.
     pub fn new(name: impl Into<String>, shape: Shape<D>, grip: Grip) -> Self {
-        Self { name: name.into(), shape, grip, motion: None }
+        Self { name: name.into(), shape, grip, inflow: None, motion: None }
+    }
+
+    /// An inlet in a plane.
+    pub fn inlet(name: impl Into<String>, plane: Plane<D>, inflow: Inflow<D>) -> Self {
+        Self { inflow: Some(inflow), ..Self::new(name, Shape::Plane(plane), Grip::Slip) }
     }
 
     /// The wall, moving.

@@ -1,10 +1,10 @@
 //! Where a node may go that touches walls.
 
 use super::surface::cross;
-use crate::backend::pfem::wall::{Contacts, Wall};
+use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
 use crate::element::simplex::{Vector, dot};
 
-/// The part of a vector along all walls that a node touches.
+/// The part of a vector along all walls that a node touches; a node in an inlet stays.
 pub fn along_walls(
     g: &Vector<3>,
     contacts: Contacts,
@@ -12,6 +12,9 @@ pub fn along_walls(
     walls: &[Wall<3>],
     time: f64,
 ) -> Vector<3> {
+    if inlet_of(walls, contacts).is_some() {
+        return [0.0; 3];
+    }
     let mut normals = contacts.iter().map(|wall| walls[wall].touch(x, time).normal);
     match (normals.next(), normals.next(), normals.next()) {
         (None, ..) => *g,
@@ -44,6 +47,7 @@ pub fn behind<'a>(
     walls: &'a [Wall<3>],
     time: f64,
 ) -> impl Iterator<Item = usize> + 'a {
-    let others = walls.iter().enumerate().filter(move |(index, _)| !contacts.contains(*index));
+    let solid = walls.iter().enumerate().filter(|(_, wall)| wall.inflow.is_none());
+    let others = solid.filter(move |(index, _)| !contacts.contains(*index));
     others.filter(move |(_, wall)| wall.touch(x, time).gap < 0.0).map(|(index, _)| index)
 }

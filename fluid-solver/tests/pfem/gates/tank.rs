@@ -1,0 +1,52 @@
+//! Tanks that are filled and emptied.
+
+use super::scene::{advance, fluid, value};
+
+#[test]
+fn a_tank_rises_by_what_comes_in() {
+    let tables = r#"[fluid.mesh.box]
+lower = ["0 m", "0 m"]
+upper = ["1 m", "0.4 m"]
+size = "40 mm"
+[[fluid.boundary]]
+on = ["x-min", "x-max", "y-min"]
+kind = "slip"
+[[fluid.boundary]]
+on = ["y-max"]
+kind = "free-surface"
+[[fluid.inlet]]
+name = "pipe"
+box = { lower = ["0 m", "0.08 m"], upper = ["0 m", "0.24 m"] }
+normal = [1, 0]
+velocity = { expression = ["0.5*min(t/0.5, 1)", "0"] }"#;
+    let mut tank = fluid("filling", 2, tables);
+    advance(&mut *tank, 5e-3, [0.0, 2.0]);
+    let entered = 0.16 * 0.5 * (0.25 + 1.5);
+    let found = value(&*tank, "volume-entered[m^3]");
+    assert!((found - entered).abs() <= 1e-6, "{found}");
+    assert!(value(&*tank, "volume-error[-]").abs() <= 1e-3);
+}
+
+#[test]
+fn a_tank_without_a_side_empties_to_the_last_node() {
+    let tables = r#"[fluid.mesh.box]
+lower = ["0 m", "0 m"]
+upper = ["0.5 m", "0.2 m"]
+size = "25 mm"
+[[fluid.boundary]]
+on = ["x-min", "floor"]
+kind = "slip"
+[[fluid.boundary]]
+on = ["x-max"]
+kind = "outlet"
+[[fluid.boundary]]
+on = ["y-min", "y-max"]
+kind = "free-surface"
+[[wall]]
+name = "floor"
+plane = { point = ["0 m", "0 m"], normal = [0, 1] }"#;
+    let mut tank = fluid("emptying", 2, &format!("body-force = [\"3 m/s^2\", \"0 m/s^2\"]\n{tables}"));
+    advance(&mut *tank, 5e-3, [0.0, 3.0]);
+    assert_eq!(value(&*tank, "nodes[-]"), 0.0);
+    assert!((value(&*tank, "volume-left[m^3]") - 0.1).abs() <= 1e-3);
+}
