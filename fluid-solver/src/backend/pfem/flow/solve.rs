@@ -164,7 +164,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         self.mesh = Some(mesh);
         if let Some((cell, time)) = self.first_breach(cloud, &velocity, step.length) {
             let place = cloud.place[cloud.cells[cell][0] as usize].to_vec();
-            return Err(FlowFault::Inverted { cell, place, length: step.length, bound: 0.9 * time });
+            // What did not converge has velocities that say little.
+            let least = if progress.is_ok() { 0.0 } else { 0.25 * step.length };
+            let bound = least.max(0.9 * time);
+            return Err(FlowFault::Inverted { cell, place, length: step.length, bound });
         }
         Ok(self.finish(start, velocity, pressure, progress?))
     }
