@@ -126,8 +126,8 @@ fn written<const D: usize>(books: &Books<D>) -> Vec<f64> {
 
 fn read<const D: usize>(numbers: &[f64]) -> Option<Books<D>> {
     let (&[start, target, cells, drops], rest) = numbers.split_first_chunk()?;
-    let mut books = Books::default();
-    books.volume = VolumeBooks { start, target, cells, drops, ..VolumeBooks::default() };
+    let volume = VolumeBooks { start, target, cells, drops, ..VolumeBooks::default() };
+    let mut books = Books { volume, ..Books::default() };
     let accounts = accounts(&mut books);
     let (pairs, []) = rest.as_chunks::<2>() else { return None };
     if pairs.len() != accounts.len() {
