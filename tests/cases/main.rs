@@ -34,6 +34,8 @@ cases! {
     bonded_beam "bonded-beam"
     collapse_50 "collapse-50"
     dam_break "dam-break"
+    dam_break_3d "dam-break-3d"
+    dam_break_marin "dam-break-marin"
     dam_break_obstacle "dam-break-obstacle"
     falling_cylinder "falling-cylinder"
     filling_container "filling-container"

@@ -1,5 +1,7 @@
 //! Remeshing in space.
 
+mod robust;
+
 use crate::support::{G, WATER, block, flow, gravity, largest_speed, tank, touch};
 use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
