@@ -73,7 +73,7 @@ fn a_column_that_its_yield_stress_can_bear_only_creeps_and_slower_the_lower_the_
         let (speed, _) = column(2000.0, creep_rate);
         // Stress ρgH/2 at most, at the viscosity of the creep.
         let creep = 0.5 * DENSITY * 9.81 * 0.01 * creep_rate / 2000.0;
-        assert!(speed <= creep, "{speed} m/s, {creep} m/s");
+        assert!(speed <= creep && passes <= 20, "{speed} m/s, {creep} m/s, {passes} passes");
     }
     assert!(column(200.0, 1e-3).0 > 0.01, "a tenth of that stress does not bear it");
 }
