@@ -70,7 +70,7 @@ fn column(yield_stress: f64, creep_rate: f64) -> (f64, u64) {
 #[test]
 fn a_column_that_its_yield_stress_can_bear_only_creeps_and_slower_the_lower_the_stated_rate() {
     for creep_rate in [1e-2, 1e-3, 1e-4] {
-        let (speed, _) = column(2000.0, creep_rate);
+        let (speed, passes) = column(2000.0, creep_rate);
         // Stress ρgH/2 at most, at the viscosity of the creep.
         let creep = 0.5 * DENSITY * 9.81 * 0.01 * creep_rate / 2000.0;
         assert!(speed <= creep && passes <= 20, "{speed} m/s, {creep} m/s, {passes} passes");
