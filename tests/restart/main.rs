@@ -34,20 +34,12 @@ fn a_run_killed_and_resumed_leaves_the_bytes_of_a_run_through() {
     assert_same_results(&folder.join("through"), &folder.join("killed"));
 }
 
-/// A fluid whose nodes and cells come and go, through the wall's impact: the restart point lies between steps that remesh.
-#[test]
-fn a_dam_break_resumes_to_the_same_bytes() {
+/// A case runs through, and is killed at a commit and resumed.
+fn killed_and_resumed(name: &str, changes: &[&str], at: &str) {
     let folder = Folder::new();
-    let case = case("dam-break");
-    let changes = [
-        "time.end=\"0.36 s\"",
-        "output.series=\"12 ms\"",
-        "output.restart=\"0.12 s\"",
-        "output.frames=\"0.12 s\"",
-    ];
-    let through = run(&case, &folder.join("through"), &changes, &[]);
-    let mut live =
-        Live::start(&case, &folder.join("killed"), &changes, &["--hold", "fluid-solver:310:commit"]);
+    let case = case(name);
+    let through = run(&case, &folder.join("through"), changes, &[]);
+    let mut live = Live::start(&case, &folder.join("killed"), changes, &["--hold", at]);
     live.wait_held();
     for pid in live.solvers().iter().map(|(pid, _)| *pid).chain([live.child.id()]) {
         signal(pid, "KILL");
@@ -58,11 +50,21 @@ fn a_dam_break_resumes_to_the_same_bytes() {
     assert_same_results(&folder.join("through"), &folder.join("killed"));
 }
 
+/// A fluid whose nodes and cells come and go, through the wall's impact: the restart point lies between steps that remesh.
+#[test]
+fn a_dam_break_resumes_to_the_same_bytes() {
+    let changes = [
+        "time.end=\"0.36 s\"",
+        "output.series=\"12 ms\"",
+        "output.restart=\"0.12 s\"",
+        "output.frames=\"0.12 s\"",
+    ];
+    killed_and_resumed("dam-break", &changes, "fluid-solver:310:commit");
+}
+
 /// Fluid and grains come in through two inlets while the run is killed.
 #[test]
 fn a_container_that_fills_resumes_to_the_same_bytes() {
-    let folder = Folder::new();
-    let case = case("filling-container");
     let changes = [
         "time.end=\"0.2 s\"",
         "output.series=\"10 ms\"",
@@ -71,17 +73,7 @@ fn a_container_that_fills_resumes_to_the_same_bytes() {
         "insertion[0].rate.stop=\"0.1 s\"",
         "insertion[1].rate.stop=\"0.1 s\"",
     ];
-    let through = run(&case, &folder.join("through"), &changes, &[]);
-    let mut live =
-        Live::start(&case, &folder.join("killed"), &changes, &["--hold", "fluid-solver:65:commit"]);
-    live.wait_held();
-    for pid in live.solvers().iter().map(|(pid, _)| *pid).chain([live.child.id()]) {
-        signal(pid, "KILL");
-    }
-    live.exit_code(Duration::from_secs(5));
-    let resumed = coupler(&["resume", live.out.to_str().unwrap()]);
-    assert_eq!(resumed.status.code(), through.status.code(), "{}", stderr(&resumed));
-    assert_same_results(&folder.join("through"), &folder.join("killed"));
+    killed_and_resumed("filling-container", &changes, "fluid-solver:65:commit");
 }
 
 /// Contacts, walls, insertion over time and a two-way fluid: stopped by Ctrl-C at some commit, killed, or run through.

@@ -2,6 +2,7 @@
 
 use crate::support::{G, WATER, advance, block, flow, gravity, largest_speed, tank, touch, volume};
 use fluid_solver::backend::Step;
+use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::flow::{Control, Flow, FlowFault, Forces};
 use fluid_solver::backend::pfem::wall::{Grip, Plane, Shape, Wall, patches};
 use fluid_solver::element::simplex::dot;
@@ -132,18 +133,22 @@ fn a_step_that_turns_a_cell_over_is_refused_with_one_that_does_not() {
     assert!(length > 1e-5, "{length}");
 }
 
+/// Drops that slide along the floor at 1 m/s.
+fn drops(walls: &[Wall<2>]) -> Cloud<2, 3> {
+    let mut cloud = block::<2, 3>([1.0, 1.0], [1, 1], 0.0);
+    (cloud.cells, cloud.neighbours) = (Vec::new(), Vec::new());
+    cloud.place.fill([0.055, 0.0]);
+    cloud.velocity.fill([1.0, 0.0]);
+    cloud.drop.fill(1e-6);
+    touch(&mut cloud, walls);
+    cloud
+}
+
 #[test]
 fn a_drop_that_slides_off_a_shelf_falls() {
     let shelf = patches::<2>(&[[[0.0, 0.0], [0.1, 0.0]]]).remove(0);
     let walls = [Wall::new("shelf", Shape::Patch(shelf), Grip::Slip)];
-    let mut cloud = block::<2, 3>([1.0, 1.0], [1, 1], 0.0);
-    (cloud.cells, cloud.neighbours) = (Vec::new(), Vec::new());
-    for x in &mut cloud.place {
-        *x = [0.055, 0.0];
-    }
-    cloud.velocity.fill([1.0, 0.0]);
-    cloud.drop.fill(1e-6);
-    touch(&mut cloud, &walls);
+    let mut cloud = drops(&walls);
     let mut heights = Vec::new();
     advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.01, 0..8, |cloud, _| {
         heights.push(cloud.place[0][1]);
@@ -161,14 +166,7 @@ fn a_drop_that_slides_into_a_corner_rests_in_it() {
     let ground = patches::<2>(&corners.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>());
     let walls: Vec<Wall<2>> =
         ground.into_iter().map(|patch| Wall::new("ground", Shape::Patch(patch), Grip::Slip)).collect();
-    let mut cloud = block::<2, 3>([1.0, 1.0], [1, 1], 0.0);
-    (cloud.cells, cloud.neighbours) = (Vec::new(), Vec::new());
-    for x in &mut cloud.place {
-        *x = [0.055, 0.0];
-    }
-    cloud.velocity.fill([1.0, 0.0]);
-    cloud.drop.fill(1e-6);
-    touch(&mut cloud, &walls);
+    let mut cloud = drops(&walls);
     advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.01, 0..8, |_, _| ());
     for (x, v) in cloud.place.iter().zip(&cloud.velocity) {
         assert!((x[0] - 0.1).abs() < 1e-15 && x[1].abs() < 1e-15 && *v == [0.0; 2], "{x:?} {v:?}");

@@ -2,7 +2,7 @@
 
 use super::{Fluid, Seeds};
 use crate::support::tank;
-use fluid_solver::backend::pfem::wall::Grip;
+use fluid_solver::backend::pfem::wall::{Grip, Shape, Wall, patches};
 
 const H: f64 = 0.02;
 
@@ -146,4 +146,19 @@ fn a_void_closed_in_on_all_sides_is_filled_when_it_is_small() {
     fluid.check();
     let gained = fluid.books.volume.merging.sum;
     assert!(gained > 0.2 * H * H && gained < 0.55 * H * H, "{} h²", gained / (H * H));
+}
+
+#[test]
+fn a_cell_that_cuts_the_corner_of_an_obstacle_leaves_it() {
+    // The fluid is above and on the right of a convex corner at the origin.
+    let corner = patches::<2>(&[[[-1.0, 0.0], [0.0, 0.0]], [[0.0, 0.0], [0.0, -1.0]]]).remove(0);
+    let walls = [Wall::new("corner", Shape::Patch(corner), Grip::Slip)];
+    let mut seeds = Seeds::new(&walls);
+    let on_it = [[-0.05, 0.0], [0.0, -0.05], [0.0, -0.12]];
+    let beside = [[-0.05, 0.09], [0.04, 0.09], [0.09, 0.0], [0.09, -0.09], [0.09, -0.17]];
+    on_it.into_iter().chain(beside).for_each(|place| seeds.add(place, [0.0; 2]));
+    let fluid = seeds.mesh(0.1, 1.2);
+    let holds = |cell: &[u32; 3]| cell.iter().filter(|&&node| (node as usize) < on_it.len()).count();
+    let most = fluid.cloud.cells.iter().map(holds).max();
+    assert_eq!(most, Some(2), "{:?}", fluid.cloud.cells);
 }

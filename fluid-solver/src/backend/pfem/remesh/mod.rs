@@ -150,7 +150,7 @@ impl Remesher<2, 3> {
         let (landed, pressed) = topology::land_on_walls(cloud, draft, triangles, walls, time, momentum);
         book.management.add(pressed);
         events.landed = landed;
-        let (broken, lost) = topology::break_thin_cells(cloud, draft, triangles);
+        let (broken, lost) = topology::break_thin_cells(cloud, draft, triangles, walls, time);
         let (released, unborn) = topology::release_droplets(cloud, draft, triangles);
         book.separation.add(-lost - unborn);
         let (absorbed, owed) = topology::absorb_drops(cloud, draft, triangles);

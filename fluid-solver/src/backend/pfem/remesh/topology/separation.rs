@@ -3,17 +3,30 @@
 use super::super::draft::{Draft, area, height};
 use super::super::tessellation::Tessellation;
 use crate::backend::pfem::cloud::Cloud;
+use crate::backend::pfem::wall::{Contacts, Wall};
+use crate::element::simplex::Vector;
 use delaunay::HULL;
 
 /// A cell between two surfaces breaks when it is thinner than this share of h.
 const THINNEST: f64 = 0.05;
 
+/// A cell whose corners all lie on one wall is buried in it if its middle is behind by more than this share of h.
+const BURIED: f64 = 0.05;
+
 /// A drop has at least this many h².
 const SMALLEST_DROP: f64 = 1e-3;
 
-/// Breaks thin cells that have all corners on the surface and a side that is open: others would leave a hole. Nodes that lose their last cell become drops with its volume.
+/// Breaks thin cells that have all corners on the surface and a side that is open: others would leave a hole; and those that cut
+/// the corner of an obstacle. Nodes that lose their last cell become drops with its volume.
+///
 /// Returns the number of cells and the area that is in none of the drops.
-pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut Tessellation) -> (u32, f64) {
+pub fn break_thin_cells(
+    cloud: &mut Cloud<2, 3>,
+    draft: &Draft,
+    triangles: &mut Tessellation,
+    walls: &[Wall<2>],
+    time: f64,
+) -> (u32, f64) {
     let mut scratch = std::mem::take(&mut triangles.scratch);
     let exposed = &mut scratch.marks;
     exposed.clear();
@@ -32,7 +45,9 @@ pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut 
         let thin = || height(&triangles.vertices(triangle)) < THINNEST * h;
         let between_surfaces = nodes.iter().all(|&node| exposed[node as usize]);
         let breaks = || triangles.along_one_wall(cloud, triangle) || open(cloud, triangles, triangle);
-        if triangles.fluid[triangle] && between_surfaces && thin() && breaks() {
+        let breaks = || between_surfaces && thin() && breaks();
+        let buried = || is_buried(cloud, walls, time, (nodes, &triangles.vertices(triangle)), h);
+        if triangles.fluid[triangle] && (breaks() || buried()) {
             broken.push(triangle);
         }
     }
@@ -56,6 +71,19 @@ pub fn break_thin_cells(cloud: &mut Cloud<2, 3>, draft: &Draft, triangles: &mut 
     }
     triangles.scratch = scratch;
     (broken.len() as u32, lost)
+}
+
+/// Whether the corners of a triangle are on one wall and its middle is in it.
+fn is_buried(
+    cloud: &Cloud<2, 3>,
+    walls: &[Wall<2>],
+    time: f64,
+    (nodes, vertices): ([u32; 3], &[Vector<2>; 3]),
+    h: f64,
+) -> bool {
+    let middle = [0, 1].map(|k| vertices.iter().map(|x| x[k]).sum::<f64>() / 3.0);
+    let common = nodes.map(|node| cloud.contacts[node as usize]).into_iter().reduce(Contacts::common);
+    common.is_some_and(|common| common.iter().any(|wall| walls[wall].gap(&middle, time) < -BURIED * h))
 }
 
 /// Whether a side of the triangle borders on void.
