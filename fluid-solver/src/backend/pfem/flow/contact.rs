@@ -44,16 +44,12 @@ pub struct Contact<const D: usize> {
     /// Whether each node sticks to the walls that it touched at the start where they grip: drops and nodes of the free
     /// surface slide.
     sticks: Vec<bool>,
-    /// Walls that nodes were let go of in the step: what finds them again keeps them.
-    left: Vec<Contacts>,
 }
 
 impl<const D: usize> Contact<D> {
     /// Starts a step with the walls touched: a node of a free face slides, others stick to walls that grip.
     pub fn begin<const N: usize>(&mut self, cloud: &Cloud<D, N>) {
         self.touched.clone_from(&cloud.contacts);
-        self.left.clear();
-        self.left.resize(cloud.place.len(), Contacts::default());
         self.sticks.clear();
         self.sticks.resize(cloud.place.len(), false);
         for &node in cloud.cells.as_flattened() {
@@ -68,25 +64,15 @@ impl<const D: usize> Contact<D> {
         self.constraints.resize(cloud.place.len(), Constraint::FREE);
     }
 
-    /// Lets go of the walls past whose edges nodes slide with these velocities; what another wall stops goes nowhere.
-    pub fn release<const N: usize>(
-        &mut self,
-        cloud: &Cloud<D, N>,
-        walls: &[Wall<D>],
-        step: Step,
-        v: &[Vector<D>],
-    ) {
+    /// Lets go of the walls past whose edges nodes slide when they go on as they do; what another wall stops goes nowhere.
+    pub fn release<const N: usize>(&mut self, cloud: &Cloud<D, N>, walls: &[Wall<D>], step: Step) {
         for (node, touched) in self.touched.iter_mut().enumerate().filter(|(_, touched)| !touched.is_empty())
         {
             if inlet_of(walls, *touched).is_some() {
                 continue;
             }
-            let (place, v, left) = (&cloud.place[node], &v[node], &mut self.left[node]);
-            let held = touched.common(cloud.contacts[node]);
-            for wall in held.iter() {
-                if left.contains(wall) {
-                    continue;
-                }
+            let (place, v) = (&cloud.place[node], &cloud.velocity[node]);
+            for wall in cloud.contacts[node].iter() {
                 let before = walls[wall].touch(place, step.time);
                 let apart = dot(&before.normal, v) - dot(&before.normal, &before.velocity);
                 let along = moved(v, -apart, &before.normal);
@@ -95,7 +81,6 @@ impl<const D: usize> Contact<D> {
                 let stopped = || walls.iter().any(|other| other.gap(&end, step.end()) < 0.0);
                 if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE && !stopped() {
                     touched.remove(wall);
-                    left.insert(wall);
                 }
             }
         }

@@ -155,7 +155,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         }
         self.assembly.begin(cloud.cells.len(), &self.fluid.rheology);
         self.contact.begin(cloud);
-        self.contact.release(cloud, walls, step, &cloud.velocity);
+        self.contact.release(cloud, walls, step);
         self.project(start, &mut mesh)?;
         let (mut velocity, mut pressure) = (self.projected.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
@@ -197,7 +197,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let (mut change, mut met) = (f64::INFINITY, 0);
         let projects = self.projects(start);
         loop {
-            self.contact.release(cloud, walls, step, velocity);
             self.contact.constrain(cloud, walls, step, velocity);
             for (v, constraint) in velocity.iter_mut().zip(&self.contact.constraints) {
                 *v = constraint.impose(v);
