@@ -226,12 +226,7 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
     fn commit(&mut self, step: Step) -> Result<(), FluidError> {
         let Some(solution) = self.solution.take() else { return Ok(()) };
         let Setting { walls, size, response, acceleration, medium, .. } = &mut self.setting;
-        if let TargetSize::Graded(grading) = size
-            && grading.asks_for_grains()
-        {
-            grading.by_grains.clear();
-            grading.by_grains.extend(self.grains.void_fraction().iter().map(|&share| share < 1.0));
-        }
+        size.see_grains(self.grains.void_fraction());
         let work = solution.reaction.iter().zip(&solution.velocity).map(|(force, v)| dot(force, v));
         self.state.given += step.length * work.sum::<f64>();
         self.residuals = solution.residuals;

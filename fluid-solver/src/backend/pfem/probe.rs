@@ -23,8 +23,8 @@ pub fn at<const D: usize, const N: usize>(
     let (cell, coordinates) = match holding {
         Some(found) => found,
         None => {
-            let (cell, place, node) = nearest(cloud, x)?;
-            if distance(&place, x) > NEAR * size.most_at(node as usize) {
+            let (cell, place) = nearest(cloud, x)?;
+            if distance(&place, x) > NEAR * size.largest() {
                 return None;
             }
             (cell, coordinates(cloud, &cell, &place)?)
@@ -76,17 +76,17 @@ fn coordinates<const D: usize, const N: usize>(
     (volume > 0.0).then(|| barycentric(&gradients, &vertices, x))
 }
 
-/// The cell, the place on its boundary and a node there that are nearest to a point.
+/// The cell and the place on its boundary that are nearest to a point.
 fn nearest<const D: usize, const N: usize>(
     cloud: &Cloud<D, N>,
     x: &Vector<D>,
-) -> Option<([u32; N], Vector<D>, u32)> {
+) -> Option<([u32; N], Vector<D>)> {
     let faces = cloud.cells.iter().zip(&cloud.neighbours).flat_map(|(cell, around)| {
         let free = (0..N).filter(|&corner| around[corner] == OUTSIDE);
         free.map(|corner| {
             let nodes: [u32; D] = std::array::from_fn(|k| cell[(corner + 1 + k) % N]);
             let place = on_facet(&nodes.map(|node| cloud.place[node as usize]), x);
-            (distance(&place, x), (*cell, place, nodes[0]))
+            (distance(&place, x), (*cell, place))
         })
     });
     faces.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, found)| found)

@@ -41,7 +41,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         (topology, preconditioning): &mut (Topology<N>, Preconditioning<D>),
     ) -> Result<(), linear::Error> {
         let Start { cloud, walls, step, .. } = start;
-        let (nodes, projects) = (cloud.place.len(), self.projects(start));
+        let (nodes, projects, inertia) = (cloud.place.len(), self.projects(start), self.inertia(step));
         let Projected { velocity, blow, divergence, blow_pressure } = &mut self.projected;
         velocity.clone_from(&cloud.velocity);
         blow.clear();
@@ -50,7 +50,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             return Ok(());
         }
         self.contact.constrain(cloud, walls, step, velocity);
-        let inertia = self.fluid.density / (self.implicitness * step.length);
         let rheology = &self.fluid.rheology;
         self.assembly.place(topology, |node| cloud.place[node], velocity, inertia, rheology);
         let constraints = &self.contact.constraints;

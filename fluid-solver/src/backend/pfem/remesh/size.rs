@@ -8,8 +8,6 @@ use crate::backend::pfem::cloud::Cloud;
 pub enum TargetSize {
     /// The same everywhere.
     Constant(f64),
-    /// One value per node of the cloud.
-    Nodal(Vec<f64>),
     /// Finer near some things.
     Graded(Grading),
 }
@@ -20,25 +18,29 @@ impl TargetSize {
         sizes.clear();
         match self {
             Self::Constant(h) => sizes.resize(cloud.place.len(), *h),
-            Self::Nodal(values) => sizes.extend_from_slice(values),
             Self::Graded(grading) => grading.at_nodes(cloud, sizes),
         }
     }
 
-    /// The largest h that there may be at a node (m).
-    pub fn most_at(&self, node: usize) -> f64 {
+    /// The largest h that there may be (m).
+    pub fn largest(&self) -> f64 {
         match self {
             Self::Constant(h) | Self::Graded(Grading { coarse: h, .. }) => *h,
-            Self::Nodal(sizes) => sizes[node],
+        }
+    }
+
+    /// Takes the share of fluid ε at each node of a cloud: grains are where it is below 1.
+    pub fn see_grains(&mut self, void_fraction: &[f64]) {
+        if let Self::Graded(grading) = self
+            && grading.asks_for_grains()
+        {
+            grading.by_grains.clear();
+            grading.by_grains.extend(void_fraction.iter().map(|&share| share < 1.0));
         }
     }
 
     /// Whether it holds for the nodes of one cloud only.
     pub fn is_of_nodes(&self) -> bool {
-        match self {
-            Self::Constant(_) => false,
-            Self::Nodal(_) => true,
-            Self::Graded(grading) => !grading.by_grains.is_empty(),
-        }
+        matches!(self, Self::Graded(grading) if !grading.by_grains.is_empty())
     }
 }

@@ -39,15 +39,14 @@ pub fn break_thin_cells(
         }
     }
     let mut broken = Vec::new();
-    for triangle in 0..triangles.len() {
+    for triangle in (0..triangles.len()).filter(|&triangle| triangles.fluid[triangle]) {
         let nodes = triangles.nodes(triangle);
         let h = nodes.map(|node| draft.size[node as usize]).iter().sum::<f64>() / 3.0;
         let thin = || height(&triangles.vertices(triangle)) < THINNEST * h;
-        let between_surfaces = nodes.iter().all(|&node| exposed[node as usize]);
-        let breaks = || triangles.along_one_wall(cloud, triangle) || open(cloud, triangles, triangle);
-        let breaks = || between_surfaces && thin() && breaks();
+        let between_surfaces = || nodes.iter().all(|&node| exposed[node as usize]);
+        let ends = || triangles.along_one_wall(cloud, triangle) || open(cloud, triangles, triangle);
         let buried = || is_buried(cloud, walls, time, (nodes, &triangles.vertices(triangle)), h);
-        if triangles.fluid[triangle] && (breaks() || buried()) {
+        if (between_surfaces() && thin() && ends()) || buried() {
             broken.push(triangle);
         }
     }
