@@ -18,7 +18,12 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         if self.conflicts(cell, point) {
             return cell;
         }
-        let from = self.behind_ghost(cell).unwrap_or(cell);
+        self.find_around(self.behind_ghost(cell).unwrap_or(cell), point)
+    }
+
+    /// The cell that a point lies in or on, or the ghost behind a face of the hull that it lies beyond; `from` is no ghost.
+    pub fn find_around(&self, from: u32, point: u32) -> u32 {
+        let place = self.point(point);
         let exact = |cell: &Cell<N>, at: usize| {
             let mut corners = self.places(cell);
             corners[at] = place;

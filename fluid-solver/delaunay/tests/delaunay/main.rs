@@ -4,6 +4,7 @@ mod checker;
 mod clouds;
 mod degenerate;
 mod invariance;
+mod reuse;
 
 use delaunay::{Delaunay, Triangulation, check};
 
