@@ -1,5 +1,5 @@
 //! Speed of triangulation: CPU seconds of one thread and cells per second over kinds and numbers of points, in the plane
-//! beside `spade`. The first call takes its memory from the system, the second reuses it.
+//! beside `spade`. The first call takes its memory from the system, the second has it, the third has the mesh too.
 //!
 //! `cargo run --release -p delaunay --example speed`
 
@@ -33,13 +33,20 @@ fn main() {
 fn measure<const D: usize, const N: usize>(points: &[[f64; D]]) -> String {
     let rank = (0..points.len() as u32).collect::<Vec<_>>();
     let mut delaunay = Delaunay::<D, N>::new();
-    let mut call = || {
+    let mut call = |rank: &[u32]| {
         let start = seconds();
-        let cells = delaunay.triangulate(points, &rank).map_or(0, |triangulation| triangulation.cells.len());
+        let cells = delaunay.triangulate(points, rank).map_or(0, |triangulation| triangulation.cells.len());
         let spent = seconds() - start;
         format!("{cells:>8} cells {spent:.4} s {:.2} M/s", cells as f64 / spent * 1e-6)
     };
-    format!("first {}; again {}", call(), call())
+    format!("first {}; again {}; reused {}", call(&rank), call(&unsorted(&rank)), call(&rank))
+}
+
+/// A rank that falls keeps a mesh from being reused.
+fn unsorted(rank: &[u32]) -> Vec<u32> {
+    let mut unsorted = rank.to_vec();
+    unsorted.swap(0, 1);
+    unsorted
 }
 
 /// Points that move by a share of their distance: time of a new mesh and of the last one repaired.
@@ -53,9 +60,7 @@ fn moved<const D: usize, const N: usize>(count: usize, share: f64) -> String {
         for x in points.iter_mut().flatten() {
             *x += step * (2.0 * random.next() - 1.0);
         }
-        // A rank that falls keeps a mesh from being reused.
-        let mut other = rank.clone();
-        other.swap(0, 1);
+        let other = unsorted(&rank);
         for (k, (delaunay, rank)) in [(&mut anew, &other), (&mut kept, &rank)].into_iter().enumerate() {
             let start = seconds();
             delaunay.triangulate(&points, rank).expect("finite points");

@@ -63,7 +63,7 @@ impl<const N: usize> Canonical<N> {
         }
         let mut start = 0;
         for &end in &begin[..points] {
-            entries[start..end as usize].sort_unstable_by_key(|entry| entry.corners);
+            entries[start..end as usize].sort_unstable_by_key(Entry::key);
             start = end as usize;
         }
         for (place, entry) in entries.iter().enumerate() {
@@ -79,6 +79,11 @@ impl<const N: usize> Canonical<N> {
 }
 
 impl<const N: usize> Entry<N> {
+    /// What cells of the same least corner are sorted by: their other corners.
+    fn key(&self) -> (u64, u32) {
+        (u64::from(self.corners[1]) << 32 | u64::from(self.corners[2]), self.corners[N - 1])
+    }
+
     fn new<const D: usize>(mesh: &Mesh<D, N>, slot: usize, cell: &Cell<N>) -> Self {
         let mut corners = cell.corners.map(|corner| mesh.names[corner as usize]);
         let mut neighbours = cell.neighbours.map(|face| face.cell());

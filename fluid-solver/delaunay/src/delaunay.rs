@@ -2,14 +2,16 @@
 
 use crate::build::{Cavity, Mesh, Order, Repair};
 use crate::canonical::Canonical;
+use crate::points::{self, Scale};
 use crate::survivors::Survivors;
-use crate::{Error, HULL, Triangulation, points};
+use crate::{Error, HULL, Triangulation};
 
 /// Triangulates points in D dimensions, `N = D + 1`, again and again: its memory is reused from call to call, and so is the
 /// last mesh where most points have stayed and moved a little.
 #[derive(Default)]
 pub struct Delaunay<const D: usize, const N: usize> {
-    /// Points of the last call, scaled.
+    pub(crate) scale: Scale,
+    /// Points, scaled.
     pub(crate) scaled: Vec<[f64; D]>,
     /// Their ranks.
     pub(crate) ranks: Vec<u32>,
@@ -21,6 +23,10 @@ pub struct Delaunay<const D: usize, const N: usize> {
     canonical: Canonical<N>,
     /// Whether the mesh is the triangulation of the points, none of which equals another.
     pub(crate) kept: bool,
+    /// Whether the last call or edit kept most of the mesh.
+    pub(crate) reused: bool,
+    /// The cell where the last edit was.
+    pub(crate) near: u32,
     triangulation: Triangulation<N>,
 }
 
@@ -46,16 +52,20 @@ impl<const D: usize, const N: usize> Delaunay<D, N> {
         if rank.len() != points.len() {
             return Err(Error::Ranks { points: points.len(), ranks: rank.len() });
         }
-        points::scale(points, &mut self.scaled)?;
-        let reused = std::mem::take(&mut self.kept) && self.reuse(rank);
+        self.scale = points::scale(points, &mut self.scaled)?;
+        self.reused = std::mem::take(&mut self.kept) && self.reuse(rank);
         self.ranks.clear();
         self.ranks.extend(rank);
-        if reused {
-            self.kept = true;
-        } else {
+        self.kept = self.reused;
+        if !self.reused {
             self.build();
         }
         Ok(self.hand_over())
+    }
+
+    /// Whether the last call or edit kept what it could of the mesh before it, in place of a new one.
+    pub fn was_reused(&self) -> bool {
+        self.reused
     }
 
     /// Takes the triangulation made last, and gives memory for the next one.
@@ -96,7 +106,8 @@ impl<const D: usize, const N: usize> Delaunay<D, N> {
 
     /// Triangulates `self.scaled` anew.
     pub(crate) fn build(&mut self) {
-        let Self { mesh, order, scaled, ranks, cavity, .. } = self;
+        let Self { mesh, order, scaled, ranks, cavity, kept, reused, .. } = self;
+        (*kept, *reused) = (false, false);
         order.sort(scaled, ranks);
         mesh.line_up(&order.points, scaled, ranks);
         if !mesh.plant() {
@@ -108,7 +119,7 @@ impl<const D: usize, const N: usize> Delaunay<D, N> {
             let seed = mesh.find(last, point);
             last = cavity.insert(mesh, point, seed);
         }
-        self.kept = order.twins.is_empty();
+        *kept = order.twins.is_empty();
     }
 
     /// Copies the cells that are no ghosts to the triangulation.

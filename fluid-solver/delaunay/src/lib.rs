@@ -13,6 +13,7 @@ mod build;
 mod canonical;
 mod check;
 mod delaunay;
+mod edit;
 mod error;
 mod points;
 mod predicate;

@@ -98,12 +98,17 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
     /// it is a corner, or none if it equals another point.
     pub fn add(&mut self, cavity: &mut Cavity<N>, near: u32, point: ([f64; D], u32, u32)) -> Option<u32> {
         let (place, rank, name) = point;
-        let point = self.points.len() as u32;
-        self.points.push(place);
-        self.ranks.push(rank);
-        self.names.push(name);
+        let point = self.spare.pop().unwrap_or(self.points.len() as u32);
+        if point as usize == self.points.len() {
+            self.points.push(place);
+            self.ranks.push(rank);
+            self.names.push(name);
+        } else {
+            let at = point as usize;
+            (self.points[at], self.ranks[at], self.names[at]) = (place, rank, name);
+        }
         cavity.make_room(self.points.len());
-        let around = self.find_around(near, point);
+        let around = self.find_around(near, &place);
         if self.places(self.cell(around)).contains(&&place) {
             return None;
         }

@@ -70,6 +70,8 @@ pub struct Mesh<const D: usize, const N: usize> {
     pub marks: Vec<Mark>,
     /// Places of cells that are free.
     pub free: Vec<u32>,
+    /// Places of points that are free.
+    pub spare: Vec<u32>,
 }
 
 impl<const D: usize, const N: usize> Mesh<D, N> {
@@ -110,6 +112,7 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         self.cells.clear();
         self.marks.clear();
         self.free.clear();
+        self.spare.clear();
         // Cells per random point, and some more.
         let expected = order.len() * if D == 2 { 2 } else { 7 };
         self.cells.reserve(expected);
@@ -122,11 +125,15 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         point != GHOST && self.names[point as usize] == HULL
     }
 
+    /// Whether a cell stands behind the hull.
+    pub fn is_ghost(&self, cell: u32) -> bool {
+        self.cell(cell).corners.contains(&GHOST)
+    }
+
     /// Some cell that is no ghost.
     pub fn any_cell(&self) -> Option<u32> {
-        let real =
-            |cell: &usize| self.marks[*cell] != Mark::Free && !self.cells[*cell].corners.contains(&GHOST);
-        (0..self.cells.len()).find(real).map(|cell| cell as u32)
+        let open = |cell: &u32| self.marks[*cell as usize] != Mark::Free;
+        (0..self.cells.len() as u32).filter(open).find(|cell| !self.is_ghost(*cell))
     }
 
     /// A place for a new cell.

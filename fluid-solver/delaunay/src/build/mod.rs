@@ -1,6 +1,7 @@
 //! Bowyer & Watson's insertion, point by point, and repair of what was built.
 
 mod cavity;
+mod hull;
 mod mesh;
 mod order;
 mod region;

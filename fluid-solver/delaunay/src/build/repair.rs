@@ -4,8 +4,10 @@ use super::mesh::{Cell, Face, GHOST, Mark, Mesh};
 use super::region::Region;
 use crate::predicate::{circumsphere, in_circumsphere, orientation};
 
-/// Repair is given up where more than one in so many faces is wrong: building anew takes less time then.
-const FEW: usize = 12;
+/// What a violated face costs, in cells built anew.
+const FACE: usize = 12;
+/// What a cell that is wrong costs, in cells built anew.
+const CELL: usize = 2;
 
 /// Finds what is wrong in a triangulation and triangulates it anew.
 ///
@@ -23,8 +25,7 @@ impl<const D: usize, const N: usize> Repair<D, N> {
     ///
     /// Returns whether that could be done by few and small steps; if not, the mesh is spoilt.
     pub fn repair(&mut self, mesh: &mut Mesh<D, N>) -> bool {
-        self.survey(mesh);
-        if FEW * (self.doubtful.len() + self.wrong.len()) > mesh.cells.len() {
+        if !self.survey(mesh) {
             return false;
         }
         self.region.make_room(mesh.points.len());
@@ -37,13 +38,15 @@ impl<const D: usize, const N: usize> Repair<D, N> {
         self.settle(mesh) && mesh.hull_is_covered_once()
     }
 
-    /// Takes a point out of a Delaunay triangulation, one of whose cells, `cell`, it is a corner of.
+    /// Takes the corner of a cell that is gone out of a Delaunay triangulation.
     ///
-    /// Returns whether the others still span a cell; if not, the mesh is spoilt.
+    /// Returns whether that could be done; if not, the mesh is spoilt.
     pub fn remove(&mut self, mesh: &mut Mesh<D, N>, cell: u32) -> bool {
         self.region.make_room(mesh.points.len());
         self.doubtful.clear();
-        self.region.renew(mesh, [cell])
+        let done = self.region.renew(mesh, [cell]);
+        self.doubtful.extend(&self.region.changed);
+        done && self.settle(mesh)
     }
 
     fn renew_around(&mut self, mesh: &mut Mesh<D, N>, cell: u32) -> bool {
@@ -70,13 +73,16 @@ impl<const D: usize, const N: usize> Repair<D, N> {
         true
     }
 
-    /// Finds cells that are wrong and faces that are violated, and makes all circumspheres.
-    fn survey(&mut self, mesh: &mut Mesh<D, N>) {
+    /// Finds cells that are wrong and faces that are violated, and makes all circumspheres; whether there are but few.
+    fn survey(&mut self, mesh: &mut Mesh<D, N>) -> bool {
         self.wrong.clear();
         self.doubtful.clear();
         for cell in 0..mesh.cells.len() {
             if mesh.marks[cell] == Mark::Free {
                 continue;
+            }
+            if FACE * self.doubtful.len() + CELL * self.wrong.len() > mesh.cells.len() {
+                return false;
             }
             let Cell { corners, neighbours, .. } = mesh.cells[cell];
             let sphere = circumsphere(mesh.places(&mesh.cells[cell]));
@@ -99,6 +105,7 @@ impl<const D: usize, const N: usize> Repair<D, N> {
                 }
             }
         }
+        true
     }
 }
 
@@ -125,23 +132,5 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
             && self.marks[other.cell() as usize] == Mark::Open
             && !self.is_gone(apex)
             && self.conflicts(face.cell(), apex)
-    }
-
-    /// Whether a hull that is convex everywhere has only one lowest corner, along the first axis, of those the second, …
-    fn hull_is_covered_once(&self) -> bool {
-        let open = (0..self.cells.len()).filter(|cell| self.marks[*cell] != Mark::Free);
-        let corners = open.map(|cell| self.cells[cell].corners);
-        let hull = corners.filter(|corners| corners.contains(&GHOST)).collect::<Vec<_>>();
-        let mut higher = vec![false; self.points.len()];
-        for corners in &hull {
-            for a in corners.iter().filter(|a| **a != GHOST) {
-                let lower = |b: &u32| *b != GHOST && self.point(*b) < self.point(*a);
-                higher[*a as usize] |= corners.iter().any(lower);
-            }
-        }
-        let mut lowest =
-            hull.into_iter().flatten().filter(|corner| *corner != GHOST && !higher[*corner as usize]);
-        let first = lowest.next();
-        first.is_some() && lowest.all(|corner| Some(corner) == first)
     }
 }

@@ -3,6 +3,7 @@
 mod checker;
 mod clouds;
 mod degenerate;
+mod edit;
 mod invariance;
 mod reuse;
 
