@@ -119,7 +119,6 @@ impl SpaceRemesher {
         }
         books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
         // The flow takes what a blow leaves of divergence before it steps; damping on top of that would halve the pressure.
-        cloud.struck = false;
         spent.transfer += clock.lap();
         Ok(events)
     }
