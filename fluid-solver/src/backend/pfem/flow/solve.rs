@@ -1,6 +1,6 @@
 //! One step: geometry, contacts and the linear system until nothing is left.
 
-use super::contact::{Contact, moved};
+use super::contact::Contact;
 use super::fault::FlowFault;
 use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::Assembly;
@@ -169,16 +169,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             return Err(FlowFault::Inverted { cell, place, length: step.length, bound });
         }
         Ok(self.finish(start, velocity, pressure, progress?))
-    }
-
-    /// Drops fly, and stop at walls.
-    fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
-        let Start { cloud, walls, step, forces } = start;
-        for (node, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
-            *v = moved(v, 0.5 * step.length, &forces.gravity);
-            self.contact.let_fly(walls, step, node, &cloud.place[node], v);
-        }
-        self.contact.find(cloud, walls, step, velocity);
     }
 
     /// Improves (v, p) until the residual on its own geometry is small.
