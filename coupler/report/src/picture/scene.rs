@@ -72,7 +72,10 @@ impl Scene {
 
     /// Smallest and largest finite value of the grains, and of the fluid's nodes but those of spray.
     pub fn value_ranges(&self) -> [Option<(f64, f64)>; 2] {
-        let nodes = self.mesh.iter().flat_map(|mesh| mesh.bulk().into_iter().filter_map(|node| mesh.values.get(node).copied()));
+        let nodes = self
+            .mesh
+            .iter()
+            .flat_map(|mesh| mesh.bulk().into_iter().filter_map(|node| mesh.values.get(node).copied()));
         [range(self.grains.iter().map(|grain| grain.value)), range(nodes)]
     }
 }

@@ -45,7 +45,7 @@ mod tests {
                 (
                     "at = [\"0 m\", \"0 m\", \"0.5 m\"]",
                     "at = [\"0 m\", \"0 m\", \"0.5 m\"]\ndisc = { radius = \"0 m\", normal = [1, 0, 0] }",
-                    "case.toml:44: probe[0].disc.radius: found 0 m; allowed: more than 0",
+                    "case.toml:44: probe[0].disc.radius: found 0 m; allowed: more than 0 m",
                 ),
                 (
                     "at = [\"0 m\", \"0 m\", \"0.5 m\"]",

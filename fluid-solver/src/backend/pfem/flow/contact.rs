@@ -200,12 +200,7 @@ impl<const D: usize> Contact<D> {
 }
 
 /// How a wall stands to the start of a node's way, and to its end.
-fn turn<const D: usize>(
-    wall: &Wall<D>,
-    step: Step,
-    start: &Vector<D>,
-    end: &Vector<D>,
-) -> [Touch<D>; 2] {
+fn turn<const D: usize>(wall: &Wall<D>, step: Step, start: &Vector<D>, end: &Vector<D>) -> [Touch<D>; 2] {
     [wall.touch(start, step.time), wall.touch(end, step.end())]
 }
 

@@ -184,8 +184,10 @@ impl MovedDomain {
             }
         }
         halves.sort_by(|a, b| b.share.total_cmp(&a.share));
-        let fluid = (0..verdicts.len()).filter(|&cell| matches!(verdicts[cell], Verdict::Fluid | Verdict::Inside));
-        let mut missing = enclosed(cloud, draft) - fluid.map(|cell| tetrahedra.volume(cloud, cell)).sum::<f64>();
+        let fluid =
+            (0..verdicts.len()).filter(|&cell| matches!(verdicts[cell], Verdict::Fluid | Verdict::Inside));
+        let mut missing =
+            enclosed(cloud, draft) - fluid.map(|cell| tetrahedra.volume(cloud, cell)).sum::<f64>();
         for Half { cell, volume, .. } in &*halves {
             if missing < 0.5 * volume {
                 break;
