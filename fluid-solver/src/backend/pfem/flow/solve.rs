@@ -155,7 +155,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         }
         self.assembly.begin(cloud.cells.len(), &self.fluid.rheology);
         self.contact.begin(cloud);
-        self.contact.release(cloud, walls, step);
         self.project(start, &mut mesh)?;
         let (mut velocity, mut pressure) = (self.projected.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
