@@ -1,5 +1,5 @@
 //! Speed of triangulation: CPU seconds of one thread and cells per second over kinds and numbers of points, in the plane
-//! beside `spade`. The first call takes its memory from the system, the second has it, the third has the mesh too.
+//! beside `spade`. The first call takes its memory from the system, the second has it.
 //!
 //! `cargo run --release -p delaunay --example speed`
 
@@ -39,7 +39,7 @@ fn measure<const D: usize, const N: usize>(points: &[[f64; D]]) -> String {
         let spent = seconds() - start;
         format!("{cells:>8} cells {spent:.4} s {:.2} M/s", cells as f64 / spent * 1e-6)
     };
-    format!("first {}; again {}; reused {}", call(&rank), call(&unsorted(&rank)), call(&rank))
+    format!("first {}; again {}", call(&rank), call(&unsorted(&rank)))
 }
 
 /// A rank that falls keeps a mesh from being reused.

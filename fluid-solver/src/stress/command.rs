@@ -11,7 +11,7 @@ use clap::Args;
 
 use super::outcome::Verdict;
 use super::runner;
-use super::trials::{Effort, trials};
+use super::trial::{Effort, trials};
 
 /// Flags of `stress`.
 #[derive(Args, Clone, Debug)]

@@ -2,5 +2,5 @@
 
 mod jet;
 mod pipe;
-mod scene;
+pub mod scene;
 mod tank;

@@ -1,5 +1,6 @@
 //! Remeshing in space.
 
+mod bits;
 mod robust;
 
 use crate::support::{G, WATER, block, flow, gravity, largest_speed, tank, touch};
