@@ -66,7 +66,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
         gates: Gates<D>,
     ) -> Self {
         let state = State::start(cloud, setting.medium.density, &setting.acceleration);
-        let grains = GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len());
+        let grains = GrainsInCloud::new(*flow.fluid(), setting.depth, state.cloud.place.len());
         Self {
             setting,
             state,

@@ -1,12 +1,14 @@
 //! Grains in a cloud: where they are in it, what they do to a step, and what they feel of it.
 
 use super::cloud::{Cloud, OUTSIDE};
+use super::felt_viscosity::FeltViscosity;
+use super::flow::Fluid;
 use crate::backend::{Response, Step};
-use crate::element::simplex::{Vector, dot, in_space};
+use crate::element::simplex::{Vector, distance, dot, in_space};
 use crate::error::FluidError;
 use crate::grains::{
     Compliance, FREE_SURFACE, Felt, FreeSurface, Given, GrainsOnMesh, Medium, NodalDrag, Rate, Recovered,
-    Suspension, Taken, recover,
+    Suspension, Taken, Viscosity, recover,
 };
 use crate::mesh::locate::Locator;
 use crate::mesh::{Corners, Linked, Mesh};
@@ -31,7 +33,7 @@ pub struct Solved<'a, const D: usize> {
 /// the fields are recovered on the mesh that the equations hold on. So what grains take is what the fluid gives, to
 /// round-off, iteration by iteration.
 pub struct GrainsInCloud<const D: usize, const N: usize> {
-    medium: Medium,
+    fluid: Fluid,
     /// Depth of the slab in 2D (m).
     depth: f64,
     mesh: Mesh<D, N>,
@@ -56,6 +58,7 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
     velocity: Vec<Vector<D>>,
     recovered: Vec<Recovered<D>>,
     places: Vec<Vector<D>>,
+    viscosity: FeltViscosity,
     /// What the grains sampled last.
     samples: Vec<SampleRow>,
     /// Those are of the run that is gone on with: the mesh that they were taken on is no more.
@@ -64,10 +67,10 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
 
 impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     /// No grains among this many nodes; in 2D a slab of `depth` (m).
-    pub fn new(medium: Medium, depth: f64, nodes: usize) -> Self {
+    pub fn new(fluid: Fluid, depth: f64, nodes: usize) -> Self {
         let mesh = Mesh::of_particles(vec!["free-surface".to_string(), "walls".to_string()]);
         Self {
-            medium,
+            fluid,
             depth,
             corners: Corners::default(),
             placing: FreeSurface::new(&mesh),
@@ -86,6 +89,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             velocity: Vec::new(),
             recovered: Vec::new(),
             places: Vec::new(),
+            viscosity: FeltViscosity::default(),
             samples: Vec::new(),
             resumed: false,
         }
@@ -278,8 +282,13 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
         self.samples.clear();
         if !self.rows.is_empty() {
             self.grains.sample(&self.velocity, &self.recovered);
-            let row = |row: usize| self.grains.row(row, &self.measure, self.medium, self.depth);
-            self.samples.extend((0..self.rows.len()).map(row));
+            let Self { grains, rows, viscosity, measure, fluid, depth, samples, .. } = self;
+            samples.extend(rows.iter().enumerate().map(|(row, grain)| {
+                let slip = distance(&grains.sampled_velocity(row), &grain.velocity);
+                let weights = grains.exchange.weights();
+                let viscosity = viscosity.at_grain(&fluid.rheology, weights, row, slip, 2.0 * grain.radius);
+                grains.row(row, measure, Medium { density: fluid.density, viscosity }, *depth)
+            }));
         }
     }
 
@@ -307,12 +316,14 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Recovers the fields on the mesh as it is.
     fn recover(&mut self, velocity: &[Vector<D>], pressure: &[f64], rate: &[Vector<D>]) {
+        let Self { mesh, corners, measure, fluid, .. } = self;
+        self.viscosity.follow(mesh, corners, measure, velocity, &fluid.rheology);
         let felt = Felt {
             velocity,
             pressure,
             pressure_before: &self.pressure_felt,
             rate: Rate::Material(rate),
-            viscosity: self.medium.viscosity,
+            viscosity: Viscosity::OfCells(self.viscosity.of_cells()),
         };
         recover(&self.mesh, &self.measure, |node| self.corners.of(node), felt, &mut self.recovered);
     }
@@ -324,7 +335,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             pressure: solved.pressure,
             pressure_before: solved.pressure,
             rate: Rate::Material(&[]),
-            viscosity: self.medium.viscosity,
+            viscosity: Viscosity::OfCells(self.viscosity.of_cells()),
         };
         let mut sum = [0.0; D];
         for face in self.mesh.boundary() {

@@ -32,6 +32,7 @@ mod tangent;
 mod topology;
 mod velocity;
 
+pub(super) use cell::Cell;
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
 pub use scheme::Scheme;
