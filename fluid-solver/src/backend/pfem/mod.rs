@@ -16,6 +16,7 @@ mod output;
 mod probe;
 pub mod remesh;
 mod renewal;
+mod seats;
 mod state;
 pub mod wall;
 

@@ -8,6 +8,7 @@ use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, Tar
 use fluid_solver::backend::pfem::wall::{Grip, Wall};
 use fluid_solver::backend::{Response, Step};
 use fluid_solver::element::simplex::{in_space, longest_edge, volume_and_gradients};
+use fluid_solver::grains::Spreading;
 use interface::frames::{GrainRow, ReactionRow};
 use interface::ledger::FluidLedger;
 
@@ -34,7 +35,7 @@ impl<const D: usize, const N: usize> Tank<D, N> {
         touch(&mut cloud, &walls);
         cloud.pressure = cloud.place.iter().map(|x| WATER.density * G * (SIDE - x[D - 1])).collect();
         let depth = if D == 2 { DEPTH } else { 1.0 };
-        let grains = GrainsInCloud::new(WATER, depth, cloud.place.len());
+        let grains = GrainsInCloud::new(WATER, depth, cloud.place.len(), Spreading::Kernel);
         Self { flow: flow(WATER, 1e-8), cloud, walls, grains, time: 0.0 }
     }
 
