@@ -161,11 +161,6 @@ impl<const D: usize> GrainsOnMesh<D> {
         }
     }
 
-    /// u sampled by a grain (m/s).
-    pub fn sampled_velocity(&self, row: usize) -> [f64; 3] {
-        std::array::from_fn(|k| self.samples[row][k])
-    }
-
     /// The row of a grain, that of a slab of `depth` (m) in 2D; density 0 outside the fluid.
     pub fn row(&self, row: usize, measure: &[f64], medium: Medium, depth: f64) -> SampleRow {
         let weights = self.exchange.weights();

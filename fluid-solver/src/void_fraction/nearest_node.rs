@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 /// σ over the mesh size: the kernel of this width drags the fluid that a grain samples along as much as a force on a node
 /// does the node, measured at spheres and discs that settle.
-const WIDTH: [f64; 2] = [0.35, 0.3];
+const WIDTH: [f64; 2] = [0.2, 0.25];
 
 /// Doublings of the radius of the search.
 const DOUBLINGS: usize = 64;

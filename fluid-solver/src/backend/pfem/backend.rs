@@ -70,7 +70,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
     ) -> Self {
         let state = State::start(cloud, setting.medium.density, &setting.acceleration);
         let grains =
-            GrainsInCloud::new(*flow.fluid(), setting.depth, state.cloud.place.len(), setting.spreading);
+            GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len(), setting.spreading);
         Self {
             setting,
             state,

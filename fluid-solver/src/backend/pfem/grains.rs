@@ -1,11 +1,10 @@
 //! Grains in a cloud: where they are in it, what they do to a step, and what they feel of it.
 
 use super::cloud::{Cloud, OUTSIDE};
-use super::felt_viscosity::FeltViscosity;
-use super::flow::Fluid;
+use super::flow::fullness;
 use super::remesh::{transfer, volumes};
 use crate::backend::{Response, Step};
-use crate::element::simplex::{Vector, distance, dot, in_space};
+use crate::element::simplex::{Vector, dot, in_space};
 use crate::error::FluidError;
 use crate::grains::{
     Compliance, FREE_SURFACE, Felt, FreeSurface, Given, GrainsOnMesh, Medium, NodalDrag, Rate, Recovered,
@@ -34,7 +33,7 @@ pub struct Solved<'a, const D: usize> {
 /// the fields are recovered on the mesh that the equations hold on. So what grains take is what the fluid gives, to
 /// round-off, iteration by iteration.
 pub struct GrainsInCloud<const D: usize, const N: usize> {
-    fluid: Fluid,
+    medium: Medium,
     /// Depth of the slab in 2D (m).
     depth: f64,
     mesh: Mesh<D, N>,
@@ -59,7 +58,8 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
     velocity: Vec<Vector<D>>,
     recovered: Vec<Recovered<D>>,
     places: Vec<Vector<D>>,
-    viscosity: FeltViscosity,
+    /// μ of the cells where the fields were recovered, less in slivers, as the flow has it (Pa s).
+    viscosity: Vec<f64>,
     /// What the grains sampled last.
     samples: Vec<SampleRow>,
     /// Those are of the run that is gone on with: the mesh that they were taken on is no more.
@@ -68,10 +68,10 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
 
 impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     /// No grains among this many nodes; in 2D a slab of `depth` (m).
-    pub fn new(fluid: Fluid, depth: f64, nodes: usize, spreading: Spreading) -> Self {
+    pub fn new(medium: Medium, depth: f64, nodes: usize, spreading: Spreading) -> Self {
         let mesh = Mesh::of_particles(vec!["free-surface".to_string(), "walls".to_string()]);
         Self {
-            fluid,
+            medium,
             depth,
             corners: Corners::default(),
             placing: FreeSurface::new(&mesh, spreading),
@@ -90,7 +90,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             velocity: Vec::new(),
             recovered: Vec::new(),
             places: Vec::new(),
-            viscosity: FeltViscosity::default(),
+            viscosity: Vec::new(),
             samples: Vec::new(),
             resumed: false,
         }
@@ -312,13 +312,8 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
         self.samples.clear();
         if !self.rows.is_empty() {
             self.grains.sample(&self.velocity, &self.recovered);
-            let Self { grains, rows, viscosity, measure, fluid, depth, samples, .. } = self;
-            samples.extend(rows.iter().enumerate().map(|(row, grain)| {
-                let slip = distance(&grains.sampled_velocity(row), &grain.velocity);
-                let weights = grains.exchange.weights();
-                let viscosity = viscosity.at_grain(&fluid.rheology, weights, row, slip, 2.0 * grain.radius);
-                grains.row(row, measure, Medium { density: fluid.density, viscosity }, *depth)
-            }));
+            let row = |row: usize| self.grains.row(row, &self.measure, self.medium, self.depth);
+            self.samples.extend((0..self.rows.len()).map(row));
         }
     }
 
@@ -346,14 +341,17 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Recovers the fields on the mesh as it is.
     fn recover(&mut self, velocity: &[Vector<D>], pressure: &[f64], rate: &[Vector<D>]) {
-        let Self { mesh, corners, measure, fluid, .. } = self;
-        self.viscosity.follow(mesh, corners, measure, velocity, &fluid.rheology);
+        let (mesh, viscosity) = (&self.mesh, self.medium.viscosity);
+        let cells = mesh.volumes().iter().enumerate();
+        self.viscosity.clear();
+        self.viscosity
+            .extend(cells.map(|(cell, &volume)| viscosity * fullness(&mesh.vertices(cell), volume)));
         let felt = Felt {
             velocity,
             pressure,
             pressure_before: &self.pressure_felt,
             rate: Rate::Material(rate),
-            viscosity: Viscosity::OfCells(self.viscosity.of_cells()),
+            viscosity: Viscosity::OfCells(&self.viscosity),
         };
         recover(&self.mesh, &self.measure, |node| self.corners.of(node), felt, &mut self.recovered);
     }
@@ -365,7 +363,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             pressure: solved.pressure,
             pressure_before: solved.pressure,
             rate: Rate::Material(&[]),
-            viscosity: Viscosity::OfCells(self.viscosity.of_cells()),
+            viscosity: Viscosity::OfCells(&self.viscosity),
         };
         let mut sum = [0.0; D];
         for face in self.mesh.boundary() {

@@ -8,7 +8,6 @@ pub mod body;
 mod case;
 mod checkpoint;
 pub mod cloud;
-mod felt_viscosity;
 pub mod flow;
 pub mod gate;
 pub mod grains;
@@ -16,7 +15,7 @@ mod output;
 mod probe;
 pub mod remesh;
 mod renewal;
-mod seats;
+pub mod seats;
 mod state;
 pub mod wall;
 

@@ -3,6 +3,7 @@
 use super::scene::{DEPTH, Random, SIDE, Tank, defect, grains};
 use fluid_solver::backend::pfem::grains::GrainsInCloud;
 use fluid_solver::backend::pfem::wall::Grip;
+use fluid_solver::grains::Spreading;
 use interface::frames::{GrainRow, ReactionRow};
 use interface::ledger::FluidLedger;
 
@@ -91,6 +92,12 @@ fn momentum_closes_to_round_off_in_the_plane() {
 #[test]
 fn momentum_closes_to_round_off_in_space() {
     ledger_closes(Tank::<3, 4>::new(6, Grip::NoSlip), 600);
+}
+
+#[test]
+fn momentum_closes_to_round_off_with_grains_on_single_nodes() {
+    ledger_closes(Tank::<2, 3>::spread(12, Grip::NoSlip, Spreading::Nodal), 150);
+    ledger_closes(Tank::<3, 4>::spread(6, Grip::NoSlip, Spreading::Nodal), 600);
 }
 
 #[test]

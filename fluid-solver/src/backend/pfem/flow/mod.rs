@@ -32,7 +32,7 @@ mod tangent;
 mod topology;
 mod velocity;
 
-pub(super) use cell::Cell;
+pub(super) use cell::fullness;
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
 pub use scheme::Scheme;
