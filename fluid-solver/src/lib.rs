@@ -8,6 +8,7 @@ mod couple;
 pub mod deposit;
 pub mod element;
 mod error;
+mod gauge;
 pub mod grains;
 pub mod mesh;
 mod parallel;
@@ -20,4 +21,5 @@ pub mod weak_form;
 
 pub use couple::FluidParticipant;
 pub use error::FluidError;
+pub use gauge::Gauge;
 pub use record::Record;

@@ -4,6 +4,7 @@ use crate::backend;
 use crate::command::Command;
 use crate::couple::FluidParticipant;
 use crate::error::FluidError;
+use crate::gauge::Gauge;
 use crate::record::Record;
 use case_io::document::{Case, Overrides, Scheme};
 use case_io::exit_code::ExitCode;
@@ -45,7 +46,7 @@ type Frames = (
 fn set_up(part: &Assignment, frames: Frames) -> Result<FluidParticipant, FluidError> {
     let case = load(part)?;
     let document = &case.document;
-    let probes = document.probe.iter().map(|probe| (probe.name.clone(), probe.at.to_array())).collect();
+    let probes = document.probe.iter().map(Gauge::from).collect();
     let record = Record::new(&part.out, probes, document.output.compress, document.output.films_start());
     let identity = (case.hash.clone(), Plan::of(document).hash());
     let coupled = document.grains.is_some();

@@ -1,7 +1,8 @@
 //! What the fluid leaves on disk: `series/fluid.csv`, `series/probes.csv`, `series/surface.csv`, `frames/fluid-N.vtu`.
 
-use crate::backend::{FluidBackend, PointValue};
+use crate::backend::FluidBackend;
 use crate::error::FluidError;
+use crate::gauge::Gauge;
 use case_io::output::series::{SeriesWriter, cut_after};
 use case_io::output::vtk::Collection;
 use std::path::{Path, PathBuf};
@@ -9,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// Open files of one run.
 pub struct Record {
     out: PathBuf,
-    probes: Vec<(String, [f64; 3])>,
+    probes: Vec<Gauge>,
     compress: bool,
     /// Whether the initial state is a frame.
     films_start: bool,
@@ -22,7 +23,7 @@ pub struct Record {
 
 impl Record {
     /// Nothing is written before `start` or `resume`.
-    pub fn new(out: &Path, probes: Vec<(String, [f64; 3])>, compress: bool, films_start: bool) -> Record {
+    pub fn new(out: &Path, probes: Vec<Gauge>, compress: bool, films_start: bool) -> Record {
         Record {
             out: out.to_path_buf(),
             probes,
@@ -45,7 +46,7 @@ impl Record {
 
     fn probe_titles(&self) -> Vec<String> {
         let mut titles = vec!["t[s]".to_string()];
-        for (name, _) in &self.probes {
+        for Gauge { name, .. } in &self.probes {
             for column in ["ux[m/s]", "uy[m/s]", "uz[m/s]", "p[Pa]", "n_f[-]"] {
                 titles.push(format!("{name}.{column}"));
             }
@@ -69,7 +70,7 @@ impl Record {
             let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
             self.probe = Some(SeriesWriter::create(&self.series_path("probes"), &titles)?);
             if backend.has_surface() {
-                let titles = self.probes.iter().map(|(name, _)| format!("{name}.height[m]"));
+                let titles = self.probes.iter().map(|Gauge { name, .. }| format!("{name}.height[m]"));
                 let titles: Vec<String> = std::iter::once("t[s]".to_string()).chain(titles).collect();
                 let titles: Vec<&str> = titles.iter().map(String::as_str).collect();
                 self.elevation = Some(SeriesWriter::create(&self.series_path("surface"), &titles)?);
@@ -118,17 +119,15 @@ impl Record {
         }
         if let Some(writer) = &mut self.probe {
             let mut row = vec![time];
-            for (_, point) in &self.probes {
-                let outside =
-                    PointValue { velocity: [f64::NAN; 3], pressure: f64::NAN, void_fraction: f64::NAN };
-                let value = backend.at(time, *point).unwrap_or(outside);
+            for probe in &self.probes {
+                let value = probe.read(backend, time);
                 row.extend(value.velocity);
                 row.extend([value.pressure, value.void_fraction]);
             }
             writer.row(&row)?;
         }
         if let Some(writer) = &mut self.elevation {
-            let heights = self.probes.iter().map(|(_, point)| backend.elevation(*point).unwrap_or(f64::NAN));
+            let heights = self.probes.iter().map(|probe| backend.elevation(probe.at).unwrap_or(f64::NAN));
             writer.row(&std::iter::once(time).chain(heights).collect::<Vec<f64>>())?;
         }
         Ok(())

@@ -2,6 +2,10 @@
 
 use super::Bounds;
 
+/// A piece of the mesh with less than this share of the cells is spray, as are nodes without cells: it is shown, but
+/// neither frames the picture nor scales its colours.
+const SPRAY: f64 = 0.01;
+
 /// A grain: a sphere, or a disc in a plane scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grain {
@@ -53,7 +57,7 @@ impl Scene {
         self.grains.iter().all(|grain| grain.centre[2] == 0.0) && self.mesh.as_ref().is_none_or(flat_mesh)
     }
 
-    /// The smallest box around the finite grains and nodes; none if there are none.
+    /// The smallest box around the finite grains and nodes but those of spray; none if there are none.
     pub fn bounds(&self) -> Option<Bounds> {
         let plane = self.is_plane();
         let grains = self.grains.iter().filter(|grain| grain.is_finite()).map(|grain| {
@@ -66,18 +70,53 @@ impl Scene {
         grains.chain(self.mesh.iter().filter_map(FluidMesh::bounds)).reduce(Bounds::union)
     }
 
-    /// Smallest and largest finite value of the grains, and of the fluid's nodes.
+    /// Smallest and largest finite value of the grains, and of the fluid's nodes but those of spray.
     pub fn value_ranges(&self) -> [Option<(f64, f64)>; 2] {
-        let nodes = self.mesh.iter().flat_map(|mesh| mesh.values.iter().copied());
+        let nodes = self
+            .mesh
+            .iter()
+            .flat_map(|mesh| mesh.bulk().into_iter().filter_map(|node| mesh.values.get(node).copied()));
         [range(self.grains.iter().map(|grain| grain.value)), range(nodes)]
     }
 }
 
 impl FluidMesh {
-    /// The smallest box around the finite nodes; none if there are none.
+    /// The smallest box around the finite nodes but those of spray; none if there are none.
     pub(super) fn bounds(&self) -> Option<Bounds> {
-        let finite = self.points.iter().filter(|point| point.iter().all(|x| x.is_finite()));
-        finite.map(|&point| Bounds { low: point, high: point }).reduce(Bounds::union)
+        let points = self.bulk().into_iter().map(|node| self.points[node]);
+        let finite = points.filter(|point| point.iter().all(|x| x.is_finite()));
+        finite.map(|point| Bounds { low: point, high: point }).reduce(Bounds::union)
+    }
+
+    /// The nodes of all pieces but spray; all nodes if there are no cells.
+    fn bulk(&self) -> Vec<usize> {
+        let cells = || self.triangles.iter().map(|c| &c[..]).chain(self.tetrahedra.iter().map(|c| &c[..]));
+        // For each node one nearer to the first of its piece, or itself.
+        let mut towards: Vec<u32> = (0..self.points.len() as u32).collect();
+        let mut first = |mut node: u32, join: Option<u32>| {
+            while towards[node as usize] != node {
+                towards[node as usize] = towards[towards[node as usize] as usize];
+                node = towards[node as usize];
+            }
+            towards[node as usize] = join.unwrap_or(node);
+            node
+        };
+        for cell in cells() {
+            let home = first(cell[0], None);
+            cell[1..].iter().for_each(|&node| _ = first(node, Some(home)));
+        }
+        let mut count = vec![0; self.points.len()];
+        let mut total = 0;
+        for cell in cells() {
+            count[first(cell[0], None) as usize] += 1;
+            total += 1;
+        }
+        let least = SPRAY * f64::from(total);
+        let is_bulk = |node: &usize| {
+            let count = count[first(*node as u32, None) as usize];
+            total == 0 || count > 0 && f64::from(count) >= least
+        };
+        (0..self.points.len()).filter(is_bulk).collect()
     }
 }
 
@@ -107,6 +146,22 @@ mod tests {
         assert_eq!((bounds.low, bounds.high), ([0.5, -0.5, 0.5], [2.25, 0.5, 1.5]));
         assert_eq!(scene.value_ranges(), [Some((1.0, 9.0)), None]);
         assert_eq!(Scene::default().bounds(), None);
+    }
+
+    #[test]
+    fn spray_neither_frames_the_picture_nor_scales_its_colours() {
+        let strip = |k: u32| [k, k + 1, k + 2];
+        let mut points: Vec<[f64; 3]> = (0..202).map(|k| [f64::from(k / 2), f64::from(k % 2), 0.0]).collect();
+        let mut triangles: Vec<[u32; 3]> = (0..200).map(strip).collect();
+        // A piece of one cell, and a drop.
+        points.extend([[0.0, 50.0, 0.0], [1.0, 50.0, 0.0], [0.0, 51.0, 0.0], [-70.0, 0.0, 0.0]]);
+        triangles.push(strip(202));
+        let values = points.iter().map(|x| x[1]).collect();
+        let mesh = FluidMesh { points, triangles, values, ..FluidMesh::default() };
+        let scene = Scene { mesh: Some(mesh), ..Scene::default() };
+        let bounds = scene.bounds().unwrap();
+        assert_eq!((bounds.low, bounds.high), ([0.0; 3], [100.0, 1.0, 0.0]));
+        assert_eq!(scene.value_ranges()[1], Some((0.0, 1.0)));
     }
 
     #[test]

@@ -15,7 +15,7 @@ pub struct Cloud<const D: usize, const N: usize> {
     pub place: Vec<Vector<D>>,
     /// v (m/s).
     pub velocity: Vec<Vector<D>>,
-    /// p (Pa), of the middle of the last step.
+    /// p (Pa), of the middle of the last step; 0 of a drop in flight.
     pub pressure: Vec<f64>,
     /// Walls that the node touches.
     pub contacts: Vec<Contacts>,
@@ -27,8 +27,6 @@ pub struct Cloud<const D: usize, const N: usize> {
     pub cells: Vec<[u32; N]>,
     /// Neighbour of a cell across the face opposite to each corner, or [`OUTSIDE`].
     pub neighbours: Vec<[u32; N]>,
-    /// Whether fluid met fluid in the last remeshing: v is not free of divergence then, and the next step damps it.
-    pub struck: bool,
 }
 
 impl<const D: usize, const N: usize> Cloud<D, N> {
@@ -44,6 +42,13 @@ impl<const D: usize, const N: usize> Cloud<D, N> {
             wet[*node as usize] = true;
         }
         wet
+    }
+
+    /// Takes the pressure off drops: nothing presses on them.
+    pub fn relieve_drops(&mut self) {
+        for (p, _) in self.pressure.iter_mut().zip(&self.drop).filter(|(_, drop)| **drop > 0.0) {
+            *p = 0.0;
+        }
     }
 
     /// Takes nodes of no cell out, and numbers the others anew: `number` is that of each, if it stays.

@@ -5,8 +5,8 @@ use crate::support::{G, WATER, add_drop, block, flow, tank, touch};
 use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::body::Body;
 use fluid_solver::backend::pfem::cloud::Cloud;
-use fluid_solver::backend::pfem::remesh::{Books, SpaceRemesher, TargetSize, energy};
-use fluid_solver::backend::pfem::wall::Grip;
+use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, TargetSize, energy};
+use fluid_solver::backend::pfem::wall::{Grip, Shape, Wall, patches};
 use fluid_solver::element::simplex::volume_and_areas;
 
 /// Moves the nodes in a stated field and remeshes.
@@ -50,17 +50,45 @@ fn a_sheet_drawn_out_to_a_seventh_of_a_cell_keeps_its_volume() {
 }
 
 #[test]
-fn nodes_that_are_too_few_or_in_one_plane_are_drops_that_fly_on() {
+fn nodes_that_are_too_few_or_in_one_plane_are_drops_that_fly_on_without_pressure() {
     for nodes in [0, 1, 3, 30] {
         let mut cloud = Cloud::<3, 4>::default();
         for k in 0..nodes {
             add_drop(&mut cloud, [k as f64 % 6.0, (k / 6) as f64, 0.5], 0.1);
         }
+        cloud.pressure.fill(7.0);
         let mut books = Books::start(&cloud);
         carry(&mut cloud, &mut books, 1.0, 3, |_| [1.0, 0.0, -1.0]);
         assert_eq!((cloud.place.len(), cloud.cells.len()), (nodes, 0));
+        assert!(cloud.pressure.iter().all(|&p| p == 0.0));
         assert!(books.volume.missing().abs() <= 1e-15);
     }
+}
+
+#[test]
+fn a_cell_that_cuts_the_corner_of_an_obstacle_leaves_it() {
+    const H: f64 = 0.1;
+    // The fluid is above and on the right of a convex edge along y.
+    let top = [[-1.0, -1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+    let side = [[0.0, -1.0, 0.0], [0.0, -1.0, -1.0], [0.0, 1.0, -1.0], [0.0, 1.0, 0.0]];
+    let halves = |q: [[f64; 3]; 4]| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]];
+    let obstacle = patches::<3>(&[top, side].map(halves).concat());
+    assert_eq!(obstacle.len(), 1);
+    let shape = Shape::Patch(obstacle.into_iter().next().unwrap());
+    let walls = [Wall::new("obstacle", shape, Grip::Slip)];
+    let on_it = [[-0.05, 0.0], [0.0, -0.05], [0.0, -0.12]];
+    let beside = [[-0.05, 0.09], [0.04, 0.09], [0.09, 0.0], [0.09, -0.09], [0.09, -0.17]];
+    let mut cloud = Cloud::<3, 4>::default();
+    for [x, z] in on_it.into_iter().chain(beside) {
+        [0.0, H].into_iter().for_each(|y| add_drop(&mut cloud, [x, y, z], 1e-4));
+    }
+    touch(&mut cloud, &walls);
+    let mut remesher = SpaceRemesher::new(Recognition::AlphaShape { alpha: 1.2 });
+    let mut books = Books::start(&cloud);
+    let events = remesher.remesh(&mut cloud, &walls, 0.0, &TargetSize::Constant(H), &mut books).unwrap();
+    let in_it = |cell: &[u32; 4]| cell.iter().all(|&node| !cloud.contacts[node as usize].is_empty());
+    assert!(events.broken > 0 && !cloud.cells.is_empty());
+    assert!(!cloud.cells.iter().any(in_it), "{:?}", cloud.cells);
 }
 
 #[test]

@@ -3,10 +3,10 @@
 use super::constraint::Constraint;
 use crate::backend::Step;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
-use crate::backend::pfem::wall::{Contacts, Grip, Wall, inlet_of, inlet_velocity};
+use crate::backend::pfem::wall::{Contacts, Grip, Touch, Wall, inlet_of, inlet_velocity};
 use crate::element::simplex::{Vector, dot};
 
-/// A node that slides past an edge lets go of the wall where its normal turns by more than the angle of this cosine.
+/// A node has come past an edge of a wall where the normal has turned by more than the angle of this cosine.
 const EDGE: f64 = 0.7;
 
 /// So often a node in a corner is put where the walls of it leave it, and these are looked at from there.
@@ -64,28 +64,6 @@ impl<const D: usize> Contact<D> {
         self.constraints.resize(cloud.place.len(), Constraint::FREE);
     }
 
-    /// Lets go of the walls past whose edges nodes slide when they go on as they do; what another wall stops goes nowhere.
-    pub fn release<const N: usize>(&mut self, cloud: &Cloud<D, N>, walls: &[Wall<D>], step: Step) {
-        for (node, touched) in self.touched.iter_mut().enumerate().filter(|(_, touched)| !touched.is_empty())
-        {
-            if inlet_of(walls, *touched).is_some() {
-                continue;
-            }
-            let (place, v) = (&cloud.place[node], &cloud.velocity[node]);
-            for wall in cloud.contacts[node].iter() {
-                let before = walls[wall].touch(place, step.time);
-                let apart = dot(&before.normal, v) - dot(&before.normal, &before.velocity);
-                let along = moved(v, -apart, &before.normal);
-                let end = moved(place, step.length, &along);
-                let after = walls[wall].touch(&end, step.end());
-                let stopped = || walls.iter().any(|other| other.gap(&end, step.end()) < 0.0);
-                if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE && !stopped() {
-                    touched.remove(wall);
-                }
-            }
-        }
-    }
-
     /// Lets a drop go that flies away from the walls it touches: nothing sucks it back.
     pub fn let_fly(&mut self, walls: &[Wall<D>], step: Step, node: usize, place: &Vector<D>, v: &Vector<D>) {
         let speed = dot(v, v).sqrt();
@@ -125,7 +103,7 @@ impl<const D: usize> Contact<D> {
             let hold = |v: &Vector<D>| {
                 let mut constraint = Constraint::FREE;
                 for wall in touched.iter() {
-                    let touch = walls[wall].touch(&moved(place, step.length, v), step.end());
+                    let touch = reached(&walls[wall], step, place, v);
                     constraint.add(&touch.normal, dot(&touch.normal, v) - touch.gap / step.length);
                 }
                 constraint
@@ -184,11 +162,10 @@ impl<const D: usize> Contact<D> {
         if let Some(given) = inlet_velocity(walls, touched, &cloud.place[node], step.end()) {
             return given;
         }
-        let place = moved(&cloud.place[node], step.length, middle);
         let mut constraint = Constraint::FREE;
         let mut gripped = None;
         for wall in touched.iter() {
-            let touch = walls[wall].touch(&place, step.end());
+            let touch = reached(&walls[wall], step, &cloud.place[node], middle);
             constraint.add(&touch.normal, dot(&touch.normal, &touch.velocity));
             if walls[wall].grip == Grip::NoSlip && self.sticks[node] && held.contains(wall) {
                 gripped = Some(touch.velocity);
@@ -199,6 +176,43 @@ impl<const D: usize> Contact<D> {
         }
         constraint.impose(v)
     }
+
+    /// The walls that nodes touch at the end: they let go of those past whose edges they slid.
+    pub fn left<const N: usize>(
+        &self,
+        cloud: &Cloud<D, N>,
+        walls: &[Wall<D>],
+        step: Step,
+        v: &[Vector<D>],
+    ) -> Vec<Contacts> {
+        let mut contacts = self.touched.clone();
+        for (node, contacts) in contacts.iter_mut().enumerate() {
+            let end = moved(&cloud.place[node], step.length, &v[node]);
+            for wall in contacts.iter() {
+                let [before, after] = turn(&walls[wall], step, &cloud.place[node], &end);
+                if after.gap > 0.0 && dot(&before.normal, &after.normal) < EDGE {
+                    contacts.remove(wall);
+                }
+            }
+        }
+        contacts
+    }
+}
+
+/// How a wall stands to the start of a node's way, and to its end.
+fn turn<const D: usize>(wall: &Wall<D>, step: Step, start: &Vector<D>, end: &Vector<D>) -> [Touch<D>; 2] {
+    [wall.touch(start, step.time), wall.touch(end, step.end())]
+}
+
+/// How a wall stands to where v takes a node from x. Past an edge what the node slid on goes on as a plane: held by this side
+/// of an edge in one pass and by that in the next, no step would settle.
+fn reached<const D: usize>(wall: &Wall<D>, step: Step, x: &Vector<D>, v: &Vector<D>) -> Touch<D> {
+    let [before, after] = turn(wall, step, x, &moved(x, step.length, v));
+    if dot(&before.normal, &after.normal) >= EDGE {
+        return after;
+    }
+    let apart = dot(&before.normal, v) - dot(&before.normal, &before.velocity);
+    Touch { gap: before.gap + step.length * apart, ..before }
 }
 
 /// x + t v.

@@ -65,10 +65,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             });
         }
         FlowSolution {
+            contacts: self.contact.left(cloud, walls, step, &velocity),
             velocity,
             end_velocity,
             pressure,
-            contacts: self.contact.touched.clone(),
             reaction,
             mass,
             implicitness: self.implicitness,

@@ -43,6 +43,9 @@ const FARTHEST: f64 = 1.9;
 const FACING: f64 = 0.1;
 /// Nor is one by more than this many h.
 const SHIFT: f64 = 0.25;
+/// A node that would take volume with it into a node of more walls does so only if it is this near, in h: else films on walls
+/// vanish.
+const ABSORBED: f64 = 0.25;
 
 /// Pairs of corners of a cell.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
@@ -130,7 +133,7 @@ impl Management {
             p.distance.total_cmp(&q.distance).then((p.goes, p.stays).cmp(&(q.goes, q.stays)))
         };
         close.sort_unstable_by(order);
-        for &Close { goes, stays, surface, .. } in &*close {
+        for &Close { distance, goes, stays, surface } in &*close {
             let [gone, left] = [goes as usize, stays as usize];
             let inner = !draft.exposed[gone];
             if settled[gone]
@@ -150,11 +153,15 @@ impl Management {
                     // The faces still have the old places.
                     let middle = onto_walls(contacts, middle(&cloud.place), walls, time);
                     cloud.place[left] =
-                        neutral(cloud, draft, (fans, edits), [goes, stays], middle, walls, time);
+                        neutral(cloud, draft, (fans, edits), [goes, stays], middle, walls, time)
+                            .unwrap_or(middle);
                 } else {
                     let place = cloud.place[left];
-                    cloud.place[left] =
-                        neutral(cloud, draft, (fans, edits), [goes, stays], place, walls, time);
+                    match neutral(cloud, draft, (fans, edits), [goes, stays], place, walls, time) {
+                        Some(place) => cloud.place[left] = place,
+                        None if distance > ABSORBED * draft.size_between(goes, stays) => continue,
+                        None => {}
+                    }
                 }
                 edits.collapse(goes, stays);
             }
@@ -198,8 +205,8 @@ impl Management {
 }
 
 /// Where near x a node keeps the volume if the two ends of an edge of the surface become that node: x + s A, where A is half
-/// the area of what it sees, along the walls that the end that stays touches; x, where that is too far away or behind a
-/// wall.
+/// the area of what it sees, along the walls that the end that stays touches; nowhere, where that is too far away or behind
+/// a wall.
 fn neutral(
     cloud: &Cloud<3, 4>,
     draft: &Draft<3>,
@@ -208,7 +215,7 @@ fn neutral(
     x: Vector<3>,
     walls: &[Wall<3>],
     time: f64,
-) -> Vector<3> {
+) -> Option<Vector<3>> {
     let contacts = cloud.contacts[stays as usize];
     let (mut lost, mut area) = (0.0, [0.0; 3]);
     for (end, other) in [(goes, stays), (stays, goes)] {
@@ -230,11 +237,11 @@ fn neutral(
     let square = dot(&along, &along);
     let share = lost / square;
     if square.sqrt() < FACING * h * h || share.abs() * square.sqrt() > SHIFT * h {
-        return x;
+        return None;
     }
     let place = std::array::from_fn(|k| x[k] + share * along[k]);
     let place = onto_walls(contacts, place, walls, time);
-    if behind(contacts, &place, walls, time).next().is_some() { x } else { place }
+    behind(contacts, &place, walls, time).next().is_none().then_some(place)
 }
 
 #[cfg(test)]

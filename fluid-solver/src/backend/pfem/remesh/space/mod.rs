@@ -99,7 +99,7 @@ impl SpaceRemesher {
             spent.mesh += clock.lap();
             self.recogniser.recognise(self.recognition, cloud, draft, tetrahedra);
             spent.recognition += clock.lap();
-            settled = self.patches.settle(cloud, draft, tetrahedra, book, &mut events);
+            settled = self.patches.settle(cloud, draft, tetrahedra, (walls, time), book, &mut events);
             tetrahedra.take(cloud, draft);
             spent.settling += clock.lap();
         }
@@ -118,8 +118,7 @@ impl SpaceRemesher {
             transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
         }
         books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
-        // The flow takes what a blow leaves of divergence before it steps; damping on top of that would halve the pressure.
-        cloud.struck = false;
+        cloud.relieve_drops();
         spent.transfer += clock.lap();
         Ok(events)
     }

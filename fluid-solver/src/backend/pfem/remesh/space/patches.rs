@@ -1,12 +1,13 @@
-//! What is too small or too thin for cells: voids are filled, pieces and slivers leave, dry nodes fly.
+//! What is too small or too thin for cells, or in a wall: voids are filled, pieces and slivers leave, dry nodes fly.
 
 use super::super::VolumeBooks;
 use super::super::draft::Draft;
-use super::super::topology::Events;
+use super::super::topology::{BURIED, Events};
 use super::surface::OUTWARD;
 use super::tetrahedra::Tetrahedra;
 use crate::backend::pfem::cloud::Cloud;
-use crate::element::simplex::longest_edge;
+use crate::backend::pfem::wall::{Contacts, Wall};
+use crate::element::simplex::{Vector, longest_edge};
 use delaunay::HULL;
 
 /// A closed void smaller than this many h³ is filled.
@@ -36,7 +37,7 @@ pub struct Patches {
 }
 
 impl Patches {
-    /// Fills voids, takes slivers and small pieces away, and makes drops of nodes without cells and nodes of drops with
+    /// Fills voids, takes cells in walls, slivers and small pieces away, and makes drops of nodes without cells and nodes of drops with
     /// cells.
     ///
     /// Returns by how much the volume of the cells grew.
@@ -45,11 +46,13 @@ impl Patches {
         cloud: &mut Cloud<3, 4>,
         draft: &mut Draft<3>,
         tetrahedra: &mut Tetrahedra,
+        (walls, time): (&[Wall<3>], f64),
         book: &mut VolumeBooks,
         events: &mut Events,
     ) -> f64 {
         let smallest = draft.size.iter().copied().fold(f64::INFINITY, f64::min).powi(3);
         let (filled, gained) = self.turn(cloud, tetrahedra, false, SMALLEST_VOID * smallest);
+        let (buried, in_walls) = unearth(cloud, draft, tetrahedra, walls, time);
         self.uses.clear();
         self.uses.resize(cloud.place.len(), 0);
         for cell in tetrahedra.fluids() {
@@ -58,8 +61,8 @@ impl Patches {
         let (broken, thin) = self.shed_slivers(cloud, tetrahedra);
         let (pieces, lost) = self.turn(cloud, tetrahedra, true, SMALLEST_PIECE * smallest);
         book.merging.add(gained);
-        book.separation.add(-thin - lost);
-        (events.filled, events.broken, events.released) = (filled, broken, pieces);
+        book.separation.add(-in_walls - thin - lost);
+        (events.filled, events.broken, events.released) = (filled, buried + broken, pieces);
         for node in 0..cloud.place.len() {
             let (wet, drop) = (self.uses[node] > 0, cloud.drop[node]);
             if wet && drop > 0.0 {
@@ -74,7 +77,7 @@ impl Patches {
                 }
             }
         }
-        gained - thin - lost
+        gained - in_walls - thin - lost
     }
 
     /// Makes pieces of fluid void, or closed voids fluid, that are smaller than `limit`; returns their number and volume.
@@ -160,6 +163,34 @@ impl Patches {
         }
         (count, sum)
     }
+}
+
+/// Takes the cells away whose corners lie on one wall and whose middle is in it: they cut the corner of an obstacle. Returns their
+/// number and volume.
+fn unearth(
+    cloud: &Cloud<3, 4>,
+    draft: &Draft<3>,
+    tetrahedra: &mut Tetrahedra,
+    walls: &[Wall<3>],
+    time: f64,
+) -> (u32, f64) {
+    let (mut count, mut sum) = (0, 0.0);
+    for cell in 0..tetrahedra.fluid.len() {
+        let corners = tetrahedra.made.cells[cell];
+        let common = corners.map(|node| cloud.contacts[node as usize]).into_iter().reduce(Contacts::common);
+        if !tetrahedra.fluid[cell] || common.is_none_or(Contacts::is_empty) {
+            continue;
+        }
+        let vertices = cloud.vertices(&corners);
+        let middle: Vector<3> = std::array::from_fn(|k| vertices.iter().map(|x| x[k]).sum::<f64>() / 4.0);
+        let deep = BURIED * draft.size[corners[0] as usize];
+        if common.is_some_and(|common| common.iter().any(|wall| walls[wall].gap(&middle, time) < -deep)) {
+            tetrahedra.fluid[cell] = false;
+            count += 1;
+            sum += tetrahedra.volume(cloud, cell);
+        }
+    }
+    (count, sum)
 }
 
 /// Whether all corners of a face touch the same wall.

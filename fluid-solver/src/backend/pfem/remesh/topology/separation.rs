@@ -11,7 +11,7 @@ use delaunay::HULL;
 const THINNEST: f64 = 0.05;
 
 /// A cell whose corners all lie on one wall is buried in it if its middle is behind by more than this share of h.
-const BURIED: f64 = 0.05;
+pub const BURIED: f64 = 0.05;
 
 /// A drop has at least this many h².
 const SMALLEST_DROP: f64 = 1e-3;

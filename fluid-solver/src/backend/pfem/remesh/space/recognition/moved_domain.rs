@@ -2,16 +2,20 @@
 //!
 //! Most faces of the surface are faces of the new cells too: these are fluid on one side of it and void on the other. A
 //! cell at no such face is fluid if it has an inner corner, else what the cells around it are. Only cells at what is missing
-//! of the surface, and those of which that is not enough to tell, are sampled.
+//! of the surface, and those of which that is not enough to tell, are sampled; those about half of which is covered make up
+//! the volume.
 
 use super::super::super::draft::Draft;
-use super::super::surface::OUTWARD;
+use super::super::surface::{OUTWARD, enclosed};
 use super::super::tetrahedra::Tetrahedra;
 use super::faces::Faces;
-use super::samples::existed;
+use super::samples::covered;
 use super::stars::Stars;
 use crate::backend::pfem::cloud::Cloud;
 use delaunay::HULL;
+
+/// Samples cannot tell cells with a share between these from those of which one half is covered.
+const ABOUT_HALF: [f64; 2] = [0.36, 0.64];
 
 /// What is known of a cell.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -44,6 +48,14 @@ pub struct MovedDomain {
     loose: Vec<bool>,
     piece: Vec<usize>,
     stars: Stars,
+    halves: Vec<Half>,
+}
+
+/// A cell about half of which lies in the moved old mesh.
+struct Half {
+    cell: usize,
+    share: f64,
+    volume: f64,
 }
 
 impl MovedDomain {
@@ -93,8 +105,8 @@ impl MovedDomain {
         }
     }
 
-    /// Cells at no face of the surface with two corners where faces of it are missing can be on both sides. A wall is where
-    /// it was, whichever faces it has.
+    /// Cells with two corners where faces of the surface are missing can be on both sides, whatever other faces of it tell. A wall
+    /// is where it was, whichever faces it has.
     fn doubt_where_the_surface_is_missing(&mut self, cloud: &Cloud<3, 4>, tetrahedra: &Tetrahedra) {
         self.loose.clear();
         self.loose.resize(cloud.place.len(), false);
@@ -107,9 +119,7 @@ impl MovedDomain {
             return;
         }
         for (verdict, corners) in self.verdicts.iter_mut().zip(&tetrahedra.made.cells) {
-            if matches!(verdict, Verdict::Inside | Verdict::Open)
-                && corners.iter().filter(|node| self.loose[**node as usize]).count() >= 2
-            {
+            if corners.iter().filter(|node| self.loose[**node as usize]).count() >= 2 {
                 *verdict = Verdict::Doubtful;
             }
         }
@@ -154,9 +164,10 @@ impl MovedDomain {
         }
     }
 
-    /// Decides by samples what is left.
+    /// Decides by samples what is left: fluid is what is covered for the most part. Of what is covered by about one half, which
+    /// is as far as samples tell, so much is fluid, the best covered first, that the cells hold what the surface encloses.
     fn sample(&mut self, cloud: &Cloud<3, 4>, draft: &Draft<3>, tetrahedra: &Tetrahedra) {
-        let Self { verdicts, stars, piece, .. } = self;
+        let Self { verdicts, stars, piece, halves, .. } = self;
         piece.clear();
         piece.extend((0..verdicts.len()).filter(|&cell| verdicts[cell] == Verdict::Doubtful));
         if piece.is_empty() {
@@ -164,9 +175,25 @@ impl MovedDomain {
         }
         let cells = &tetrahedra.made.cells;
         stars.read(cloud, piece.iter().flat_map(|&cell| cells[cell]));
+        halves.clear();
         for &cell in &*piece {
-            let fluid = existed(cloud, draft, stars, &cells[cell]);
-            verdicts[cell] = if fluid { Verdict::Fluid } else { Verdict::Void };
+            let share = covered(cloud, draft, stars, &cells[cell]);
+            verdicts[cell] = if share > ABOUT_HALF[1] { Verdict::Fluid } else { Verdict::Void };
+            if (ABOUT_HALF[0]..=ABOUT_HALF[1]).contains(&share) {
+                halves.push(Half { cell, share, volume: tetrahedra.volume(cloud, cell) });
+            }
+        }
+        halves.sort_by(|a, b| b.share.total_cmp(&a.share));
+        let fluid =
+            (0..verdicts.len()).filter(|&cell| matches!(verdicts[cell], Verdict::Fluid | Verdict::Inside));
+        let mut missing =
+            enclosed(cloud, draft) - fluid.map(|cell| tetrahedra.volume(cloud, cell)).sum::<f64>();
+        for Half { cell, volume, .. } in &*halves {
+            if missing < 0.5 * volume {
+                break;
+            }
+            verdicts[*cell] = Verdict::Fluid;
+            missing -= volume;
         }
     }
 }
