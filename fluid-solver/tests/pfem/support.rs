@@ -43,7 +43,6 @@ pub fn block<const D: usize, const N: usize>(size: [f64; D], cells: [usize; D], 
         birth: (0..nodes as u32).collect(),
         neighbours: neighbours(&cells),
         cells,
-        struck: false,
     }
 }
 

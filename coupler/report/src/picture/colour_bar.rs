@@ -24,7 +24,9 @@ const HEAD: f32 = 40.0;
 impl ColourBar<'_> {
     /// Draws label, unit and bar in the box from `top` to `bottom`, starting at `left`.
     pub(super) fn draw(&self, pixmap: &mut Pixmap, left: f32, top: f32, bottom: f32) {
-        let axis = Axis::linear(self.range.0, self.range.1, ((bottom - top - HEAD) / 34.0) as usize);
+        // With fewer than three wanted there may be none but zero.
+        let wanted = (((bottom - top - HEAD) / 34.0) as usize).max(3);
+        let axis = Axis::linear(self.range.0, self.range.1, wanted);
         let unit = match axis.exponent {
             0 => self.unit.to_owned(),
             exponent => format!("1e{exponent} {}", self.unit),

@@ -113,7 +113,6 @@ impl<const D: usize, const N: usize> Body<D, N> {
             place: self.place,
             cells: self.cells,
             neighbours: self.neighbours,
-            struck: false,
         }
     }
 }

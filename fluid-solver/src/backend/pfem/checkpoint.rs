@@ -15,7 +15,7 @@ pub fn save<'a, const D: usize, const N: usize>(
     writer: CheckpointWriter<'a>,
 ) -> CheckpointWriter<'a> {
     let State { cloud, books, given, counts, fluid_volume, passed } = state;
-    let Cloud { place, velocity, pressure, contacts, drop, birth, cells, neighbours, struck } = cloud;
+    let Cloud { place, velocity, pressure, contacts, drop, birth, cells, neighbours } = cloud;
     let contacts: Vec<u32> = contacts.iter().map(|contacts| contacts.bits()).collect();
     let counts = counts.named().map(|(_, count)| count);
     writer
@@ -27,7 +27,6 @@ pub fn save<'a, const D: usize, const N: usize>(
         .array("birth", birth)
         .array("cells", cells.as_flattened())
         .array("neighbours", neighbours.as_flattened())
-        .made("struck", &[u32::from(*struck)])
         .made("books", &written(books))
         .made("given", &[*given])
         .made("fluid-volume", &[*fluid_volume])
@@ -51,7 +50,6 @@ pub fn load<const D: usize, const N: usize>(checkpoint: &Checkpoint) -> Result<S
         birth: checkpoint.array("birth")?,
         cells: by_rows(checkpoint.array("cells")?),
         neighbours: by_rows(checkpoint.array("neighbours")?),
-        struck: checkpoint.array::<u32>("struck")? == [1],
     };
     let found = |name: &'static str, found: usize| FluidError::OtherMesh { name, found, nodes };
     let lengths = [

@@ -27,8 +27,6 @@ pub struct Cloud<const D: usize, const N: usize> {
     pub cells: Vec<[u32; N]>,
     /// Neighbour of a cell across the face opposite to each corner, or [`OUTSIDE`].
     pub neighbours: Vec<[u32; N]>,
-    /// Whether fluid met fluid in the last remeshing: v is not free of divergence then, and the next step damps it.
-    pub struck: bool,
 }
 
 impl<const D: usize, const N: usize> Cloud<D, N> {

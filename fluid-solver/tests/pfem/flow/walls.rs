@@ -172,3 +172,16 @@ fn a_drop_that_slides_into_a_corner_rests_in_it() {
         assert!((x[0] - 0.1).abs() < 1e-15 && x[1].abs() < 1e-15 && *v == [0.0; 2], "{x:?} {v:?}");
     }
 }
+
+#[test]
+fn a_drop_that_runs_along_a_floor_that_grips_is_dragged_as_a_film_of_its_size() {
+    let floor = Plane { point: [0.0; 2], normal: [0.0, 1.0] };
+    let walls = [Wall::new("floor", Shape::Plane(floor), Grip::NoSlip)];
+    let mut cloud = drops(&walls);
+    // r = 3μ/(ρd²) = 3 1/s.
+    advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.001, 0..500, |_, _| ());
+    let expected = 1.003f64.powi(-500);
+    for (x, v) in cloud.place.iter().zip(&cloud.velocity) {
+        assert!((v[0] - expected).abs() < 1e-12 && v[1] == 0.0 && x[1].abs() < 1e-15, "{x:?} {v:?}");
+    }
+}

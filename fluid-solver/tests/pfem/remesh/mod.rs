@@ -81,7 +81,6 @@ impl Seeds {
         Remesher::<2, 3>::new(Recognition::AlphaShape { alpha })
             .remesh(&mut self.cloud, &self.walls, 0.0, &size, &mut Books::default())
             .unwrap();
-        self.cloud.struck = false;
         let books = Books::start(&self.cloud);
         Fluid { cloud: self.cloud, walls: self.walls, size, books, remesher: Remesher::default(), time: 0.0 }
     }

@@ -12,6 +12,7 @@ mod cell;
 mod chunks;
 mod constraint;
 mod contact;
+mod drop;
 mod evaluate;
 mod fault;
 mod finish;

@@ -1,6 +1,6 @@
 //! One step: geometry, contacts and the linear system until nothing is left.
 
-use super::contact::{Contact, moved};
+use super::contact::Contact;
 use super::fault::FlowFault;
 use super::krylov::{self, StepOperator, split, split_mut};
 use super::nodal::Assembly;
@@ -26,6 +26,8 @@ const NEVER: f64 = 1e60;
 const WITH_GRAINS: f64 = 0.6;
 /// Residuals below this share of the sizes of their terms are round-off.
 const ROUND_OFF: f64 = 2e-15;
+/// Forces that grow by this factor within a step do not converge.
+const GROWN: f64 = 1e6;
 
 /// What a step starts from.
 #[derive(Clone, Copy)]
@@ -133,8 +135,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let start = Start { cloud, walls, step, forces };
         let stated = self.scheme.implicitness(self.control.implicitness);
         self.implicitness = match &forces.grains {
-            // The middle of a step would turn the part of v round that a blow takes away.
-            _ if cloud.struck => 1.0,
             // What a yield stress has stopped would be turned round in each step.
             None if !self.fluid.rheology.is_newtonian() => 1.0,
             Some(_) => stated.max(WITH_GRAINS),
@@ -170,16 +170,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         Ok(self.finish(start, velocity, pressure, progress?))
     }
 
-    /// Drops fly, and stop at walls.
-    fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
-        let Start { cloud, walls, step, forces } = start;
-        for (node, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
-            *v = moved(v, 0.5 * step.length, &forces.gravity);
-            self.contact.let_fly(walls, step, node, &cloud.place[node], v);
-        }
-        self.contact.find(cloud, walls, step, velocity);
-    }
-
     /// Improves (v, p) until the residual on its own geometry is small.
     fn improve(
         &mut self,
@@ -192,7 +182,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let inertia = self.inertia(step);
         let compressibility = self.compressibility(step);
         let is_plastic = !self.fluid.rheology.is_newtonian();
-        let (mut progress, mut target) = (Progress::default(), 0.0);
+        let (mut progress, mut target, mut limit) = (Progress::default(), 0.0, 0.0);
         let (mut change, mut met) = (f64::INFINITY, 0);
         let projects = self.projects(start);
         loop {
@@ -227,13 +217,16 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             }
             if progress.passes == 0 {
                 target = self.control.tolerance * (norm + momentum_size);
+                limit = GROWN * (norm + momentum_size + force_size);
             }
             let allowed = target.max(ROUND_OFF * force_size);
             let [momentum, volume] = sizes.map(|size| size / (momentum_size + force_size).max(norm));
             progress.residuals = Residuals { momentum, volume };
             let Progress { passes, iterations, .. } = progress;
             let iterate = Iterate { passes, residual: norm, allowed, change, met, is_plastic };
-            match scheme.judge(&iterate) {
+            // Round-off of forces that grow without end would be taken for convergence.
+            let verdict = if norm + force_size > limit { Verdict::Failed } else { scheme.judge(&iterate) };
+            match verdict {
                 Verdict::Done => return Ok(progress),
                 Verdict::Again => {}
                 Verdict::Failed => {

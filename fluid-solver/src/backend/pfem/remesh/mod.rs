@@ -77,7 +77,6 @@ impl Remesher<2, 3> {
             }
             events = events.and(self.pass(cloud, walls, time, size, books)?);
         }
-        cloud.struck = events.impact();
         cloud.relieve_drops();
         Ok(events)
     }

@@ -118,8 +118,6 @@ impl SpaceRemesher {
             transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
         }
         books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
-        // The flow takes what a blow leaves of divergence before it steps; damping on top of that would halve the pressure.
-        cloud.struck = false;
         cloud.relieve_drops();
         spent.transfer += clock.lap();
         Ok(events)

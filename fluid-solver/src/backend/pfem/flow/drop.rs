@@ -1,0 +1,41 @@
+//! Nodes of no cell: drops, which fly, stop at walls and run along them.
+
+use super::contact::moved;
+use super::rheology::Law;
+use super::solve::{Flow, Start};
+use super::topology::Topology;
+use crate::backend::pfem::wall::Grip;
+use crate::element::simplex::{Vector, dot};
+
+impl<const D: usize, const N: usize> Flow<D, N> {
+    /// v_m of the drops: they fly, stop at walls and are dragged by those that grip.
+    pub(super) fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
+        let Start { cloud, walls, step, forces } = start;
+        for (node, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
+            *v = moved(v, 0.5 * step.length, &forces.gravity);
+            let drag = self.drag_of_walls(start, node);
+            *v = moved(v, -0.5, &drag);
+            self.contact.let_fly(walls, step, node, &cloud.place[node], v);
+        }
+        self.contact.find(cloud, walls, step, velocity);
+    }
+
+    /// What a drop of volume V = d^D that runs along walls that grip loses of its velocity u (m/s) in a step: a film of
+    /// thickness d, parabolic from the wall to the surface, has the stress μ(γ̇)γ̇ at the wall, γ̇ = 3u/d. Hence
+    /// du/dt = −ru, r = 3μ/(ρd²), in one implicit step.
+    fn drag_of_walls(&self, start: Start<'_, D, N>, node: usize) -> Vector<D> {
+        let Start { cloud, walls, step, .. } = start;
+        let thickness = cloud.drop[node].powf(1.0 / D as f64);
+        let mut lost = [0.0; D];
+        for wall in cloud.contacts[node].iter().filter(|&wall| walls[wall].grip == Grip::NoSlip) {
+            let touch = walls[wall].touch(&cloud.place[node], step.time);
+            let relative = moved(&cloud.velocity[node], -1.0, &touch.velocity);
+            let along = moved(&relative, -dot(&relative, &touch.normal), &touch.normal);
+            let shear_rate = 3.0 * dot(&along, &along).sqrt() / thickness;
+            let viscosity = self.fluid.rheology.viscosity(shear_rate);
+            let decay = 3.0 * viscosity * step.length / (self.fluid.density * thickness * thickness);
+            lost = moved(&lost, decay / (1.0 + decay), &along);
+        }
+        lost
+    }
+}
