@@ -72,7 +72,7 @@ fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use case_io::document::Length;
+    use case_io::document::quantity::Length;
 
     #[test]
     fn the_points_of_a_face_have_its_centre_and_its_second_moment() {
