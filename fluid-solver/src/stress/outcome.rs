@@ -57,6 +57,11 @@ pub enum Expected {
         /// Of the end \[m/s\].
         speed: f64,
     },
+    /// It runs with fluid that enters or leaves, whose energy is not its own: the largest volume error.
+    Open {
+        /// |V + drops − V₀|/V₀, of what passed the gates booked.
+        volume_error: f64,
+    },
     /// It is refused with a message that contains this.
     Refusal(&'static str),
 }
@@ -79,9 +84,20 @@ impl Outcome {
                     Verdict::Stable
                 }
             }
+            (Self::Ran(worst), Expected::Open { volume_error }) => {
+                if !(worst.volume_error.is_finite() && worst.speed.is_finite()) {
+                    Verdict::Broken
+                } else if worst.volume_error <= volume_error {
+                    Verdict::Right
+                } else {
+                    Verdict::Stable
+                }
+            }
             (Self::Stopped(_, message), Expected::Refusal(why)) if message.contains(why) => Verdict::Stopped,
             // Whoever asks for a run may be told that it cannot be had, if he is told why.
-            (Self::Stopped(_, message), Expected::Run { .. }) if message.contains("element") => {
+            (Self::Stopped(_, message), Expected::Run { .. } | Expected::Open { .. })
+                if message.contains("element") =>
+            {
                 Verdict::Stopped
             }
             _ => Verdict::Broken,

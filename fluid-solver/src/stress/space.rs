@@ -57,17 +57,15 @@ fn impacts(effort: Effort) -> Vec<Trial> {
     let quick = effort == Effort::Quick;
     let expected = Expected::Run { volume_error: 1e-2, speed: MOVING };
     let pool = tank([0.0; 3], [0.3, 0.3, 0.1], 0.025, "", &SIDES, "");
-    let struck = |speed: f64| {
-        let scene = pool.clone() + &drop([0.15, 0.15, 0.19], 0.06, speed);
-        let end = if quick { 0.15 } else { 0.5 };
-        trial("impact", format!("drop at {speed} m/s"), (2e-3 / speed.max(1.0), end), expected, scene)
-    };
+    let end = if quick { 0.15 } else { 0.5 };
+    let struck =
+        trial("impact", "drop at 1 m/s", (2e-3, end), expected, pool + &drop([0.15, 0.15, 0.19], 0.06, 1.0));
     let far = plane("far-wall", [0.4, 0.0, 0.0], [-1.0, 0.0, 0.0]);
     let held = ["x-min", "y-min", "y-max", "z-min"];
     let dam = tank([0.0; 3], [0.1, 0.05, 0.2], 0.0125, "", &held, &far);
     let end = if quick { 0.4 } else { 1.5 };
     let dam = trial("impact", "dam break against a wall", (1e-3, end), expected, dam);
-    vec![struck(1.0), struck(10.0), dam]
+    vec![struck, dam]
 }
 
 /// Fluid without sides.
@@ -98,7 +96,7 @@ fn flights(effort: Effort) -> Vec<Trial> {
 /// A tank with an open side under gravity and a pull.
 fn emptied(effort: Effort) -> Vec<Trial> {
     let end = if effort == Effort::Quick { 0.5 } else { 2.0 };
-    let expected = Expected::Run { volume_error: 1e-2, speed: MOVING };
+    let expected = Expected::Open { volume_error: 1e-2 };
     let floor = plane("floor", [0.0; 3], [0.0, 0.0, 1.0]);
     let scene = tank([0.0; 3], [0.3, 0.1, 0.1], 0.025, "", &["x-min", "y-min", "y-max"], &floor).replace(
         &boundary(&["x-max", "z-min", "z-max"], "free-surface"),
