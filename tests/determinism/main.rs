@@ -41,6 +41,26 @@ fn a_dam_break_is_the_same_for_one_two_and_four_threads() {
     assert_same_results(&folder.join("1"), &folder.join("4"));
 }
 
+/// Fluid and grains come in through two inlets, nodes and cells come and go.
+#[test]
+fn a_container_that_fills_is_the_same_for_one_two_and_four_threads() {
+    const SHORT: [&str; 5] = [
+        "time.end=\"0.2 s\"",
+        "output.series=\"10 ms\"",
+        "output.frames=\"50 ms\"",
+        "insertion[0].rate.stop=\"0.1 s\"",
+        "insertion[1].rate.stop=\"0.1 s\"",
+    ];
+    let folder = Folder::new();
+    for threads in ["1", "2", "4"] {
+        let output = run(&case("filling-container"), &folder.join(threads), &SHORT, &["--threads", threads]);
+        // Its checks are about the end of the run.
+        assert!(matches!(output.status.code(), Some(0 | 4)), "{}", stderr(&output));
+    }
+    assert_same_results(&folder.join("1"), &folder.join("2"));
+    assert_same_results(&folder.join("1"), &folder.join("4"));
+}
+
 struct Nobody;
 
 impl Watcher for Nobody {

@@ -10,6 +10,11 @@ pub enum Error {
         /// Index of the point.
         point: usize,
     },
+    /// A coordinate of a point that is put in or moved is 2⁶⁰ times as large as those that were triangulated together.
+    TooFar {
+        /// Index of the point.
+        point: usize,
+    },
     /// Points and ranks differ in number.
     Ranks {
         /// Number of points.
@@ -34,6 +39,12 @@ impl fmt::Display for Error {
                 write!(
                     out,
                     "point {point} has a coordinate that is not finite: give every point finite coordinates"
+                )
+            }
+            Self::TooFar { point } => {
+                write!(
+                    out,
+                    "point {point} has a coordinate more than 2^60 times as large as those triangulated together: triangulate all points anew"
                 )
             }
             Self::Ranks { points, ranks } => {

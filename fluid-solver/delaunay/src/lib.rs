@@ -10,11 +10,14 @@
 //! along a Hilbert curve inside a round (Amenta, Choi & Rote 2003).
 
 mod build;
+mod canonical;
 mod check;
 mod delaunay;
+mod edit;
 mod error;
 mod points;
 mod predicate;
+mod survivors;
 
 pub use check::{Faults, check};
 pub use delaunay::Delaunay;

@@ -13,6 +13,6 @@ mod suspension;
 pub use compliance::{Compliance, CompliantCell, Given};
 pub use exchange::{Exchange, NodalDrag, Reaction};
 pub use on_mesh::{GrainsOnMesh, Medium, Taken};
-pub use placing::{FREE_SURFACE, FixedMesh, FreeSurface, Placing};
-pub use recovery::{Felt, Rate, Recovered, gradient_changes, recover};
+pub use placing::{FREE_SURFACE, FixedMesh, FreeSurface, Placing, Spreading};
+pub use recovery::{Felt, Rate, Recovered, Viscosity, gradient_changes, recover};
 pub use suspension::Suspension;

@@ -53,8 +53,26 @@ pub struct Felt<'a, const D: usize> {
     pub pressure_before: &'a [f64],
     /// Its rate.
     pub rate: Rate<'a, D>,
-    /// Dynamic viscosity μ (Pa s).
-    pub viscosity: f64,
+    /// Dynamic viscosity μ.
+    pub viscosity: Viscosity<'a>,
+}
+
+/// Dynamic viscosity μ (Pa s).
+#[derive(Debug, Clone, Copy)]
+pub enum Viscosity<'a> {
+    /// One everywhere.
+    Uniform(f64),
+    /// Of each cell.
+    OfCells(&'a [f64]),
+}
+
+impl Viscosity<'_> {
+    fn of(self, cell: usize) -> f64 {
+        match self {
+            Self::Uniform(viscosity) => viscosity,
+            Self::OfCells(viscosities) => viscosities[cell],
+        }
+    }
 }
 
 /// Recovers the fields; `corners` gives the cells around a node, each with which of its corners the node is, and `measure`
@@ -102,7 +120,7 @@ impl<const D: usize> Felt<'_, D> {
             let (volume, gradients) = (mesh.volumes()[cell], &mesh.gradients()[cell]);
             let velocity = nodes.map(|node| self.velocity[node as usize]);
             let slope = velocity_gradient(gradients, &velocity);
-            let stress = viscous_stress(self.viscosity, &slope);
+            let stress = viscous_stress(self.viscosity.of(cell), &slope);
             let pressure = gradient(gradients, &nodes.map(|node| self.pressure[node as usize]));
             let change = |node: u32| self.pressure[node as usize] - self.pressure_before[node as usize];
             let change = gradient(gradients, &nodes.map(change));
@@ -137,7 +155,7 @@ impl<const D: usize> Felt<'_, D> {
     /// τ in a cell (Pa).
     pub fn stress<const N: usize>(&self, mesh: &Mesh<D, N>, cell: usize) -> [Vector<D>; D] {
         let velocity = mesh.cell_nodes(cell).map(|node| self.velocity[node as usize]);
-        viscous_stress(self.viscosity, &velocity_gradient(&mesh.gradients()[cell], &velocity))
+        viscous_stress(self.viscosity.of(cell), &velocity_gradient(&mesh.gradients()[cell], &velocity))
     }
 }
 

@@ -2,11 +2,13 @@
 
 use super::topology::outward;
 use super::{BoundaryFace, Mesh, Neighbour, Periodicity};
-use crate::element::simplex::{Vector, volume_and_gradients};
+use crate::element::simplex::{Vector, volume_and_areas, volume_and_gradients};
 use rayon::prelude::*;
 
 /// Cells per unit of parallel work.
 const CELLS: usize = 1024;
+/// Volume of a flat cell (m³; m²).
+const FLAT: f64 = 1e-200;
 
 /// Cells between particles, as their triangulation knows them.
 #[derive(Debug, Clone, Copy)]
@@ -70,7 +72,8 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         self.move_to(places);
     }
 
-    /// Moves the particles; their cells stay. Volumes may become negative where they move too far.
+    /// Moves the particles; their cells stay. Volumes may become negative where they move too far. A flat cell has
+    /// [`FLAT`] for its volume, so that V∇N is what it is.
     pub fn move_to(&mut self, places: &[Vector<D>]) {
         self.points.clear();
         self.points.extend_from_slice(places);
@@ -80,7 +83,12 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         let geometry = self.volumes.par_chunks_mut(CELLS).zip(self.gradients.par_chunks_mut(CELLS));
         geometry.zip(self.cells.par_chunks(CELLS)).for_each(|((volumes, gradients), cells)| {
             for ((volume, gradients), cell) in volumes.iter_mut().zip(gradients).zip(cells) {
-                (*volume, *gradients) = volume_and_gradients(&cell.map(|point| points[point as usize]));
+                let vertices = cell.map(|point| points[point as usize]);
+                (*volume, *gradients) = volume_and_gradients(&vertices);
+                if *volume == 0.0 {
+                    *volume = FLAT;
+                    *gradients = volume_and_areas(&vertices).1.map(|area| area.map(|a| a / FLAT));
+                }
             }
         });
         self.measure.clear();

@@ -5,12 +5,14 @@
 
 mod balance;
 mod error;
+mod nearest_node;
 mod node_kernel;
 mod node_search;
 mod surface_kernel;
 mod weights;
 
 pub use error::VoidFractionError;
+pub use nearest_node::NearestNode;
 pub use node_kernel::{Grain, NodeKernel};
 pub use surface_kernel::SurfaceKernel;
 pub use weights::Weights;

@@ -151,7 +151,7 @@ impl<const D: usize> NodeKernel<D> {
 }
 
 /// Radius R of the kernel of width σ: `(1 - r²/R²)³` has the variance `R²/(D + 8)` per direction.
-fn radius<const D: usize>(width: f64) -> f64 {
+pub(super) fn radius<const D: usize>(width: f64) -> f64 {
     (D as f64 + 8.0).sqrt() * width
 }
 

@@ -60,7 +60,7 @@ pub use load::{Case, Overrides};
 pub use material::{Material, Pair};
 pub use mesh::{BoxMesh, GmshFile, Mesh, MeshSource, PipeMesh};
 pub use output::{Interval, OutputTable};
-pub use pfem::{Body, FlowScheme, Pfem, Recognition};
+pub use pfem::{Body, FlowScheme, GrainNodes, Pfem, Recognition};
 pub use probe::{GaugeFace, Probe};
 pub use refinement::{Near, Refinement};
 pub use region::{CylinderRegion, Region, SphereRegion, StlRegion};

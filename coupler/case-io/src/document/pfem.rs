@@ -26,6 +26,9 @@ pub struct Pfem {
     /// How velocity and pressure of a step are found.
     #[serde(default)]
     pub scheme: FlowScheme,
+    /// On which nodes grains act, and which they sample.
+    #[serde(default)]
+    pub grains: GrainNodes,
     /// Pressure over the relative change of volume that it makes; default: the fluid keeps its volume.
     pub bulk_modulus: Option<Pressure>,
 }
@@ -52,6 +55,17 @@ pub enum FlowScheme {
     Segregated,
     /// Three corrections of the pressure, whatever is left: cheaper.
     FractionalStep,
+}
+
+/// On which nodes grains act, and which they sample.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GrainNodes {
+    /// On all nodes around, by a kernel as wide as a grain or a cell.
+    #[default]
+    Kernel,
+    /// On a node of its own, which remeshing puts where the grain is: for few grains, smaller than the cells.
+    Nodal,
 }
 
 /// `[[fluid.body]]`: fluid besides that of the mesh; exactly one of `box` and `sphere` gives its shape.

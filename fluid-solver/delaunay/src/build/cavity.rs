@@ -22,9 +22,9 @@ pub struct Cavity<const N: usize> {
 }
 
 impl<const N: usize> Cavity<N> {
-    /// Makes ready for a mesh of so many points.
-    pub fn reset(&mut self, points: usize) {
-        self.ridges.reset(points);
+    /// Makes room for a mesh of so many points.
+    pub fn make_room(&mut self, points: usize) {
+        self.ridges.make_room(points);
     }
 
     /// Inserts a point that conflicts with the cell `seed`; returns a cell, no ghost, of which it is a corner.
@@ -90,5 +90,28 @@ impl<const N: usize> Cavity<N> {
             mesh.marks[*cell as usize] = Mark::Free;
             mesh.free.push(*cell);
         }
+    }
+}
+
+impl<const D: usize, const N: usize> Mesh<D, N> {
+    /// Inserts one more point, a place, a rank and a name, near a cell that is no ghost; returns a cell, no ghost, of which
+    /// it is a corner, or none if it equals another point.
+    pub fn add(&mut self, cavity: &mut Cavity<N>, near: u32, point: ([f64; D], u32, u32)) -> Option<u32> {
+        let (place, rank, name) = point;
+        let point = self.spare.pop().unwrap_or(self.points.len() as u32);
+        if point as usize == self.points.len() {
+            self.points.push(place);
+            self.ranks.push(rank);
+            self.names.push(name);
+        } else {
+            let at = point as usize;
+            (self.points[at], self.ranks[at], self.names[at]) = (place, rank, name);
+        }
+        cavity.make_room(self.points.len());
+        let around = self.find_around(near, &place);
+        if self.places(self.cell(around)).contains(&&place) {
+            return None;
+        }
+        Some(cavity.insert(self, point, around))
     }
 }

@@ -1,5 +1,6 @@
 //! Cells while points are inserted: those of the triangulation and a ghost behind every face of its hull.
 
+use crate::HULL;
 #[cfg(doc)]
 use crate::predicate::circumsphere;
 
@@ -50,6 +51,8 @@ pub enum Mark {
     Outside,
     /// The cell is none: its place is free.
     Free,
+    /// The cell is turned over, or a corner of it is gone.
+    Wrong,
 }
 
 /// Points in the order of insertion and the cells between them.
@@ -59,7 +62,7 @@ pub struct Mesh<const D: usize, const N: usize> {
     pub points: Vec<[f64; D]>,
     /// Ranks of the points.
     pub ranks: Vec<u32>,
-    /// Their indices with the caller.
+    /// Their indices with the caller; [`HULL`] for the ghost and for points that are gone.
     pub names: Vec<u32>,
     /// Cells.
     pub cells: Vec<Cell<N>>,
@@ -67,6 +70,8 @@ pub struct Mesh<const D: usize, const N: usize> {
     pub marks: Vec<Mark>,
     /// Places of cells that are free.
     pub free: Vec<u32>,
+    /// Places of points that are free.
+    pub spare: Vec<u32>,
 }
 
 impl<const D: usize, const N: usize> Mesh<D, N> {
@@ -91,6 +96,44 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
     pub fn join(&mut self, a: Face, b: Face) {
         self.cells[a.cell() as usize].neighbours[a.opposite()] = b;
         self.cells[b.cell() as usize].neighbours[b.opposite()] = a;
+    }
+
+    /// Takes points in the order of insertion, behind the ghost; there are no cells yet.
+    pub fn line_up(&mut self, order: &[u32], places: &[[f64; D]], ranks: &[u32]) {
+        self.points.clear();
+        self.points.push([f64::NAN; D]);
+        self.points.extend(order.iter().map(|point| places[*point as usize]));
+        self.ranks.clear();
+        self.ranks.push(0);
+        self.ranks.extend(order.iter().map(|point| ranks[*point as usize]));
+        self.names.clear();
+        self.names.push(HULL);
+        self.names.extend(order);
+        self.cells.clear();
+        self.marks.clear();
+        self.free.clear();
+        self.spare.clear();
+        // Cells per random point, and some more.
+        let expected = order.len() * if D == 2 { 2 } else { 7 };
+        self.cells.reserve(expected);
+        self.marks.reserve(expected);
+    }
+
+    /// Whether a point is the mesh's no more.
+    #[inline(always)]
+    pub fn is_gone(&self, point: u32) -> bool {
+        point != GHOST && self.names[point as usize] == HULL
+    }
+
+    /// Whether a cell stands behind the hull.
+    pub fn is_ghost(&self, cell: u32) -> bool {
+        self.cell(cell).corners.contains(&GHOST)
+    }
+
+    /// Some cell that is no ghost.
+    pub fn any_cell(&self) -> Option<u32> {
+        let open = |cell: &u32| self.marks[*cell as usize] != Mark::Free;
+        (0..self.cells.len() as u32).filter(open).find(|cell| !self.is_ghost(*cell))
     }
 
     /// A place for a new cell.

@@ -38,11 +38,11 @@ impl<const N: usize> Default for Ridges<N> {
 pub type Reversed<const N: usize> = [u16; N];
 
 impl<const N: usize> Ridges<N> {
-    /// Makes ready for a mesh of so many points.
-    pub fn reset(&mut self, points: usize) {
-        self.number.clear();
-        self.number.resize(points, 0);
-        (self.first, self.count) = (1, 0);
+    /// Makes room for a mesh of so many points.
+    pub fn make_room(&mut self, points: usize) {
+        if self.number.len() < points {
+            self.number.resize(points, 0);
+        }
     }
 
     /// Begins a new rim.

@@ -1,7 +1,7 @@
 //! The first simplex and the ghosts around it.
 
 use super::mesh::{Cell, Face, GHOST, Mark, Mesh};
-use crate::predicate::{collinear, orientation};
+use crate::predicate::{circumsphere, collinear, orientation};
 
 impl<const D: usize, const N: usize> Mesh<D, N> {
     /// Brings the first points that span a simplex to the front and makes the simplex.
@@ -36,32 +36,30 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
 
     /// Makes a cell and the ghosts behind its faces.
     fn enclose(&mut self, corners: [u32; N]) {
-        let mut cells = vec![corners];
+        let cell = |corners, sphere| Cell { corners, neighbours: [Face::default(); N], sphere };
+        let sphere = circumsphere(corners.map(|corner| self.point(corner)));
+        self.cells.clear();
+        self.cells.push(cell(corners, sphere));
         for k in 0..N {
             let mut ghost = corners;
             ghost[k] = GHOST;
             // Seen from behind, the face turns the other way round.
             ghost.swap((k + 1) % N, (k + 2) % N);
-            cells.push(ghost);
+            self.cells.push(cell(ghost, [f64::NAN; N]));
         }
-        self.cells.clear();
-        self.cells.extend(cells.iter().map(|corners| Cell {
-            corners: *corners,
-            neighbours: [Face::default(); N],
-            sphere: [f64::NAN; N],
-        }));
         self.marks.clear();
-        self.marks.resize(cells.len(), Mark::Open);
-        let face = |cell: usize, opposite: usize| {
-            let mut face = cells[cell];
-            face[opposite] = u32::MAX;
-            face.sort_unstable();
-            face
+        self.marks.resize(N + 1, Mark::Open);
+        // Where the ghost behind face k has corner j.
+        let place = |k: usize, j: usize| match (j + N - k) % N {
+            1 => (k + 2) % N,
+            2 => (k + 1) % N,
+            _ => j,
         };
-        let faces = (0..cells.len()).flat_map(|cell| (0..N).map(move |opposite| (cell, opposite)));
-        for (a, b) in faces.clone().flat_map(|a| faces.clone().map(move |b| (a, b))) {
-            if a.0 != b.0 && face(a.0, a.1) == face(b.0, b.1) {
-                self.join(Face::new(a.0 as u32, a.1), Face::new(b.0 as u32, b.1));
+        let ghost = |k: usize, opposite: usize| Face::new(k as u32 + 1, opposite);
+        for k in 0..N {
+            self.join(Face::new(0, k), ghost(k, k));
+            for j in 0..k {
+                self.join(ghost(k, place(k, j)), ghost(j, place(j, k)));
             }
         }
     }

@@ -18,7 +18,11 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         if self.conflicts(cell, point) {
             return cell;
         }
-        let from = self.behind_ghost(cell).unwrap_or(cell);
+        self.find_around(self.behind_ghost(cell).unwrap_or(cell), place)
+    }
+
+    /// The cell that a place lies in or on, or the ghost behind a face of the hull that it lies beyond; `from` is no ghost.
+    pub fn find_around(&self, from: u32, place: &[f64; D]) -> u32 {
         let exact = |cell: &Cell<N>, at: usize| {
             let mut corners = self.places(cell);
             corners[at] = place;

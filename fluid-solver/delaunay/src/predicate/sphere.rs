@@ -6,7 +6,7 @@ use super::{larger, plane, space};
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 /// Circumsphere of a simplex, seen from its last corner: twice its centre 2c, and a bound of the error in each component of
-/// it; not a number if the simplex is a ghost or next to flat.
+/// it; not a number if the simplex is a ghost, next to flat or negative.
 ///
 /// With the other corners a, b, … in rows, 2 c · a = |a|². Solved by Cramer's rule with all |aₖ| ≤ R, the determinant d is
 /// wrong by less than 64 u R³ (2D: 16 u R²) and the numerators by less than 320 u R⁴ (2D: 80 u R³), u the unit roundoff.
@@ -42,7 +42,8 @@ pub fn circumsphere<const D: usize, const N: usize>(corners: [&[f64; D]; N]) -> 
     for k in 0..D {
         centre = larger(centre, sphere[k].abs());
     }
-    let size = determinant.abs();
+    // Seen from its last corner, a positive simplex has a negative determinant in space.
+    let size = if D == 2 { determinant } else { -determinant };
     sphere[D] = if size > 1e4 * doubt {
         doubt * (5.0 * reach + centre) / size + 4.0 * ROUNDOFF * centre
     } else {

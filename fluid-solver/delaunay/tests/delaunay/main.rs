@@ -3,7 +3,9 @@
 mod checker;
 mod clouds;
 mod degenerate;
+mod edit;
 mod invariance;
+mod reuse;
 
 use delaunay::{Delaunay, Triangulation, check};
 

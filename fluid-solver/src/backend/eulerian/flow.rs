@@ -8,7 +8,7 @@ use crate::backend::Step;
 use crate::boundary::{Boundaries, Constraints};
 use crate::element::simplex::{Vector, difference, dot};
 use crate::error::FluidError;
-use crate::grains::{Felt, Rate, Recovered, recover};
+use crate::grains::{Felt, Rate, Recovered, Viscosity, recover};
 use crate::mesh::Mesh;
 use linear::Pattern;
 use std::sync::Arc;
@@ -130,7 +130,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             pressure: &self.state.pressure,
             pressure_before: &self.work.felt_pressure,
             rate: Rate::Local(&self.state.acceleration),
-            viscosity: self.properties.viscosity,
+            viscosity: Viscosity::Uniform(self.properties.viscosity),
         }
     }
 

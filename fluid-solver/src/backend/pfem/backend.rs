@@ -6,12 +6,13 @@ use super::gate::{self, Gates};
 use super::grains::{GrainsInCloud, Solved};
 use super::remesh::TargetSize;
 use super::renewal::Renewal;
+use super::seats::seat;
 use super::state::State;
 use super::wall::Wall;
 use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Step};
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
-use crate::grains::Medium;
+use crate::grains::{Medium, Spreading};
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use interface::frames::{GrainRow, ReactionRow, SampleRow};
 use interface::ledger::FluidLedger;
@@ -31,6 +32,8 @@ pub struct Setting<const D: usize> {
     pub medium: Medium,
     /// Whether it feels the grains.
     pub response: Response,
+    /// On which nodes the grains act.
+    pub spreading: Spreading,
     /// Depth of the slab in 2D, 1 in 3D (m).
     pub depth: f64,
     /// Its surface at the start: what grains may touch.
@@ -66,7 +69,8 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
         gates: Gates<D>,
     ) -> Self {
         let state = State::start(cloud, setting.medium.density, &setting.acceleration);
-        let grains = GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len());
+        let grains =
+            GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len(), setting.spreading);
         Self {
             setting,
             state,
@@ -83,6 +87,32 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
     /// The fluid.
     pub fn state(&self) -> &State<D, N> {
         &self.state
+    }
+
+    /// Finds the mesh between the nodes where they are, with a node at each grain if these are to have one.
+    ///
+    /// The momentum of the fluid between the grains is kept, whatever of them the new nodes see.
+    fn renew(&mut self, time: f64) -> Result<(), FluidError> {
+        let Setting { walls, size, spreading, .. } = &self.setting;
+        let State { cloud, books, counts, .. } = &mut self.state;
+        let momentum = self.grains.momentum(cloud);
+        if *spreading == Spreading::Nodal {
+            let mut sizes = Vec::new();
+            size.at_nodes(cloud, &mut sizes);
+            seat(cloud, &self.grains.positions().collect::<Vec<_>>(), &sizes);
+        }
+        counts.add(&self.renewal.renew(cloud, walls, time, size, books)?);
+        self.grains.begin(cloud)?;
+        self.grains.keep_momentum(cloud, momentum);
+        Ok(())
+    }
+
+    /// Energy of the fluid between the grains (J; per m of depth in 2D).
+    fn energy(&self) -> f64 {
+        let Setting { medium, acceleration, .. } = &self.setting;
+        let (kinetic, potential) =
+            self.state.energies(medium.density, acceleration, self.grains.void_fraction());
+        kinetic + potential
     }
 
     /// Changes against the iteration before, or the start of the window.
@@ -173,9 +203,16 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         self.flow.largest_step(&self.state.cloud)
     }
 
-    fn populate(&mut self, _time: f64, grains: &[GrainRow]) -> Result<(), FluidError> {
-        if self.grains.populate(&self.state.cloud, grains)? {
+    fn populate(&mut self, time: f64, grains: &[GrainRow]) -> Result<(), FluidError> {
+        let before = self.energy();
+        let are_others = self.grains.populate(&self.state.cloud, grains)?;
+        if are_others && self.setting.spreading == Spreading::Nodal && !grains.is_empty() {
+            self.renew(time)?;
+            self.grains.populate(&self.state.cloud, grains)?;
+        }
+        if are_others {
             self.state.fluid_volume = self.state.books.volume.target - self.grains.wetted_volume();
+            self.state.given += self.energy() - before;
         }
         Ok(())
     }
@@ -232,12 +269,10 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         self.residuals = solution.residuals;
         let passed = self.gates.advance(&mut self.state.cloud, walls, step, &solution, acceleration);
         self.state.pass(&passed, medium.density);
-        let State { cloud, books, counts, fluid_volume, .. } = &mut self.state;
         if *response == Response::TwoWay {
-            books.volume.target = *fluid_volume + self.grains.wetted_volume();
+            self.state.books.volume.target = self.state.fluid_volume + self.grains.wetted_volume();
         }
-        counts.add(&self.renewal.renew(cloud, walls, step.end(), size, books)?);
-        self.grains.begin(cloud)
+        self.renew(step.end())
     }
 
     fn at(&self, _time: f64, point: [f64; 3]) -> Option<PointValue> {

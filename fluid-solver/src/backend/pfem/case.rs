@@ -12,7 +12,7 @@ use crate::backend::{FluidBackend, Response};
 use crate::boundary::velocity_field;
 use crate::element::simplex::{Vector, distance, longest_edge, volume_and_gradients};
 use crate::error::FluidError;
-use crate::grains::Medium;
+use crate::grains::{Medium, Spreading};
 use crate::mesh::bins::{Bins, bounds};
 use crate::mesh::{self, Mesh};
 use case_io::document::{self, Case, Dimension, Fluid, MeshSource, Region};
@@ -78,6 +78,7 @@ fn backend<const D: usize, const N: usize>(
         size: target_size(fluid, size),
         acceleration: std::array::from_fn(|k| gravity[k] + body_force[k]),
         response,
+        spreading: spreading(fluid),
         medium: Medium { density: fluid.density.si(), viscosity: fluid.viscosity.si() },
         depth: if D == 2 { table.depth() } else { 1.0 },
         surface: mesh.as_ref().map(Mesh::surface),
@@ -112,6 +113,14 @@ fn target_size(fluid: &Fluid, coarse: f64) -> TargetSize {
     let sources = pfem.refine.iter().map(source).collect();
     let growth = pfem.growth.unwrap_or(GROWTH);
     TargetSize::Graded(Grading { coarse, growth, sources, by_grains: Vec::new() })
+}
+
+/// On which nodes grains act.
+fn spreading(fluid: &Fluid) -> Spreading {
+    match fluid.pfem.as_ref().map(|pfem| pfem.grains).unwrap_or_default() {
+        document::GrainNodes::Kernel => Spreading::Kernel,
+        document::GrainNodes::Nodal => Spreading::Nodal,
+    }
 }
 
 /// What resists shear.

@@ -1,12 +1,14 @@
 //! Grains in a cloud: where they are in it, what they do to a step, and what they feel of it.
 
 use super::cloud::{Cloud, OUTSIDE};
+use super::flow::fullness;
+use super::remesh::{transfer, volumes};
 use crate::backend::{Response, Step};
 use crate::element::simplex::{Vector, dot, in_space};
 use crate::error::FluidError;
 use crate::grains::{
     Compliance, FREE_SURFACE, Felt, FreeSurface, Given, GrainsOnMesh, Medium, NodalDrag, Rate, Recovered,
-    Suspension, Taken, recover,
+    Spreading, Suspension, Taken, Viscosity, recover,
 };
 use crate::mesh::locate::Locator;
 use crate::mesh::{Corners, Linked, Mesh};
@@ -56,6 +58,8 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
     velocity: Vec<Vector<D>>,
     recovered: Vec<Recovered<D>>,
     places: Vec<Vector<D>>,
+    /// μ of the cells where the fields were recovered, less in slivers, as the flow has it (Pa s).
+    viscosity: Vec<f64>,
     /// What the grains sampled last.
     samples: Vec<SampleRow>,
     /// Those are of the run that is gone on with: the mesh that they were taken on is no more.
@@ -64,13 +68,13 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
 
 impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     /// No grains among this many nodes; in 2D a slab of `depth` (m).
-    pub fn new(medium: Medium, depth: f64, nodes: usize) -> Self {
+    pub fn new(medium: Medium, depth: f64, nodes: usize, spreading: Spreading) -> Self {
         let mesh = Mesh::of_particles(vec!["free-surface".to_string(), "walls".to_string()]);
         Self {
             medium,
             depth,
             corners: Corners::default(),
-            placing: FreeSurface::new(&mesh),
+            placing: FreeSurface::new(&mesh, spreading),
             grains: GrainsOnMesh::new(nodes),
             mesh,
             rows: Vec::new(),
@@ -86,6 +90,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             velocity: Vec::new(),
             recovered: Vec::new(),
             places: Vec::new(),
+            viscosity: Vec::new(),
             samples: Vec::new(),
             resumed: false,
         }
@@ -104,6 +109,11 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     /// Where points are in it.
     pub fn locator(&self) -> &Locator<D> {
         self.placing.locator()
+    }
+
+    /// Where the grains were that were placed last (m).
+    pub fn positions(&self) -> impl Iterator<Item = Vector<D>> + '_ {
+        self.rows.iter().map(|row| std::array::from_fn(|k| row.position[k]))
     }
 
     /// ε of the grains placed last.
@@ -165,6 +175,30 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
         self.measure_before.clone_from(&self.measure);
         self.forget(cloud);
         Ok(())
+    }
+
+    /// Momentum per density of the fluid between the grains, Σ ε_a |N_a| v_a (m⁴/s; m³/s in 2D); none without grains.
+    pub fn momentum(&self, cloud: &Cloud<D, N>) -> Option<Vector<D>> {
+        // Where drops have left, others have their numbers.
+        let is_of = !self.rows.is_empty() && self.void_fraction().len() == cloud.place.len();
+        is_of.then(|| transfer::momentum(&self.fluid_volumes(cloud), &cloud.velocity))
+    }
+
+    /// Gives what the fluid has less than this momentum to the nodes that touch no wall, as one velocity for all of them.
+    pub fn keep_momentum(&mut self, cloud: &mut Cloud<D, N>, momentum: Option<Vector<D>>) {
+        if let Some(momentum) = momentum {
+            let volumes = self.fluid_volumes(cloud);
+            transfer::keep_momentum(cloud, &volumes, momentum, &volumes);
+            self.forget(cloud);
+        }
+    }
+
+    /// ε_a |N_a| (m³; m² in 2D).
+    fn fluid_volumes(&self, cloud: &Cloud<D, N>) -> Vec<f64> {
+        let (mut cells, mut nodes) = (Vec::new(), Vec::new());
+        volumes(cloud, &mut cells, &mut nodes);
+        nodes.iter_mut().zip(self.void_fraction()).for_each(|(volume, void)| *volume *= void);
+        nodes
     }
 
     /// Goes back to the start of the window: as if no iterate had been felt.
@@ -307,12 +341,17 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Recovers the fields on the mesh as it is.
     fn recover(&mut self, velocity: &[Vector<D>], pressure: &[f64], rate: &[Vector<D>]) {
+        let (mesh, viscosity) = (&self.mesh, self.medium.viscosity);
+        let cells = mesh.volumes().iter().enumerate();
+        self.viscosity.clear();
+        self.viscosity
+            .extend(cells.map(|(cell, &volume)| viscosity * fullness(&mesh.vertices(cell), volume)));
         let felt = Felt {
             velocity,
             pressure,
             pressure_before: &self.pressure_felt,
             rate: Rate::Material(rate),
-            viscosity: self.medium.viscosity,
+            viscosity: Viscosity::OfCells(&self.viscosity),
         };
         recover(&self.mesh, &self.measure, |node| self.corners.of(node), felt, &mut self.recovered);
     }
@@ -324,7 +363,7 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
             pressure: solved.pressure,
             pressure_before: solved.pressure,
             rate: Rate::Material(&[]),
-            viscosity: self.medium.viscosity,
+            viscosity: Viscosity::OfCells(&self.viscosity),
         };
         let mut sum = [0.0; D];
         for face in self.mesh.boundary() {

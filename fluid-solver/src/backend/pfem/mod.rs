@@ -15,6 +15,7 @@ mod output;
 mod probe;
 pub mod remesh;
 mod renewal;
+pub mod seats;
 mod state;
 pub mod wall;
 

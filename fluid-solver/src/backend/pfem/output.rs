@@ -4,6 +4,7 @@ use super::backend::Setting;
 use super::cloud::Cloud;
 use super::flow::Residuals;
 use super::grains::GrainsInCloud;
+use super::remesh::volumes;
 use super::state::State;
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
@@ -21,7 +22,8 @@ pub fn statistics<const D: usize, const N: usize>(
     const REACH: [[&str; 2]; 3] =
         [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
     let (cloud, books, depth) = (&state.cloud, &state.books.volume, setting.depth);
-    let (kinetic, potential) = state.energies(setting.medium.density, &setting.acceleration);
+    let (kinetic, potential) =
+        state.energies(setting.medium.density, &setting.acceleration, grains.void_fraction());
     let remeshing = &state.books.energy;
     let by_remeshing = setting.medium.density
         * (remeshing.kinetic.sum
@@ -47,7 +49,9 @@ pub fn statistics<const D: usize, const N: usize>(
         ("energy-by-remeshing[J]", depth * by_remeshing),
         ("energy-lost[J]", depth * (state.given - kinetic - potential)),
     ];
-    let mass = lumped(cloud);
+    let (mut cell_volumes, mut mass) = (Vec::new(), Vec::new());
+    volumes(cloud, &mut cell_volumes, &mut mass);
+    mass.iter_mut().zip(grains.void_fraction()).for_each(|(mass, void)| *mass *= void);
     let momentum = |k: usize| mass.iter().zip(&cloud.velocity).map(|(mass, v)| mass * v[k]).sum::<f64>();
     found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.medium.density * momentum(k))));
     const ENTERED: [&str; 3] =
@@ -80,18 +84,6 @@ pub fn statistics<const D: usize, const N: usize>(
         ("drop-count[-]", drops as f64),
     ]);
     found
-}
-
-/// Volume around each node: an N-th of its cells, or that of a drop.
-fn lumped<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Vec<f64> {
-    let mut lumped = cloud.drop.clone();
-    for cell in &cloud.cells {
-        let share = crate::element::simplex::volume_and_gradients(&cloud.vertices(cell)).0 / N as f64;
-        for &node in cell {
-            lumped[node as usize] += share;
-        }
-    }
-    lumped
 }
 
 /// Writes nodes and cells with velocity, pressure, void fraction and the volume of drops, which belong to no cell, to a VTU file.

@@ -2,7 +2,7 @@
 
 use super::cloud::Cloud;
 use super::gate::Passed;
-use super::remesh::{Books, Events, energy};
+use super::remesh::{Books, Events, energy_between_grains};
 use crate::element::simplex::Vector;
 
 /// The cloud, its books, and what was counted.
@@ -66,7 +66,7 @@ impl<const D: usize, const N: usize> State<D, N> {
         let books = Books::start(&cloud);
         let fluid_volume = books.volume.target;
         let mut state = Self { cloud, books, fluid_volume, ..Self::default() };
-        let (kinetic, potential) = state.energies(density, acceleration);
+        let (kinetic, potential) = state.energies(density, acceleration, &vec![1.0; state.cloud.place.len()]);
         state.given = kinetic + potential;
         state
     }
@@ -81,9 +81,9 @@ impl<const D: usize, const N: usize> State<D, N> {
         self.books.volume.cells += gained.volume;
     }
 
-    /// ∫½ρ|v|² dV and −∫ρg·x dV, drops included (J; per m of depth in 2D).
-    pub fn energies(&self, density: f64, acceleration: &Vector<D>) -> (f64, f64) {
-        let energy = energy(&self.cloud);
+    /// ∫½ρε|v|² dV and −∫ρεg·x dV, drops included (J; per m of depth in 2D).
+    pub fn energies(&self, density: f64, acceleration: &Vector<D>, void_fraction: &[f64]) -> (f64, f64) {
+        let energy = energy_between_grains(&self.cloud, void_fraction);
         let potential: f64 = (0..D).map(|k| -acceleration[k] * energy.moment[k]).sum();
         (density * energy.kinetic, density * potential)
     }

@@ -1,21 +1,23 @@
 //! Grains in a fluid with a free surface: a grain is wet by the share of it that is below the surface.
 
 use super::Placing;
+use super::spread::{Spread, Spreading};
 use super::wetted::share_below;
 use crate::element::simplex::{Vector, barycentric};
 use crate::mesh::Mesh;
 use crate::mesh::locate::Locator;
 use crate::parallel::NODES;
-use crate::void_fraction::{Grain, SurfaceKernel, VoidFractionError, Weights};
+use crate::void_fraction::{Grain, VoidFractionError, Weights};
 use rayon::prelude::*;
 
 /// The group of boundary faces that are the free surface; all others are walls.
 pub const FREE_SURFACE: u32 = 0;
 
-/// Search and kernel of a mesh that is replaced and moved.
+/// Search and spreading in a mesh that is replaced and moved.
 pub struct FreeSurface<const D: usize> {
     locator: Locator<D>,
-    kernel: SurfaceKernel<D>,
+    spreading: Spreading,
+    spread: Spread<D>,
     hosts: Vec<Option<u32>>,
     immersions: Vec<Option<Immersion>>,
 }
@@ -39,10 +41,11 @@ struct Near<const D: usize> {
 
 impl<const D: usize> FreeSurface<D> {
     /// For a mesh as it is now.
-    pub fn new<const N: usize>(mesh: &Mesh<D, N>) -> Self {
+    pub fn new<const N: usize>(mesh: &Mesh<D, N>, spreading: Spreading) -> Self {
         Self {
             locator: Locator::new(mesh),
-            kernel: SurfaceKernel::new(mesh),
+            spreading,
+            spread: Spread::new(spreading, mesh),
             hosts: Vec::new(),
             immersions: Vec::new(),
         }
@@ -51,7 +54,7 @@ impl<const D: usize> FreeSurface<D> {
     /// Follows a mesh that has moved or has other cells.
     pub fn follow<const N: usize>(&mut self, mesh: &Mesh<D, N>) {
         self.locator = Locator::new(mesh);
-        self.kernel = SurfaceKernel::new(mesh);
+        self.spread = Spread::new(self.spreading, mesh);
     }
 
     /// Where points are.
@@ -122,7 +125,7 @@ impl<const D: usize, const N: usize> Placing<D, N> for FreeSurface<D> {
         let work = immersions.par_iter_mut().zip(&mut hosts).zip(grains).with_min_len(NODES);
         work.for_each(|((immersion, host), grain)| *immersion = self.immersion(mesh, grain, host));
         let size = |grain: usize| immersions[grain].map(|immersion| immersion.size);
-        self.kernel.weigh(grains, size, weights);
+        self.spread.weigh(grains, size, weights);
         wetted.clear();
         wetted.extend(immersions.iter().map(|immersion| immersion.map_or(0.0, |i| i.wetted)));
         (self.hosts, self.immersions) = (hosts, immersions);

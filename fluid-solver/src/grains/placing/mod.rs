@@ -2,10 +2,12 @@
 
 mod fixed_mesh;
 mod free_surface;
+mod spread;
 mod wetted;
 
 pub use fixed_mesh::FixedMesh;
 pub use free_surface::{FREE_SURFACE, FreeSurface};
+pub use spread::Spreading;
 
 use crate::mesh::Mesh;
 use crate::void_fraction::{Grain, VoidFractionError, Weights};

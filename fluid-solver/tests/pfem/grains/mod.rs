@@ -3,6 +3,7 @@
 mod bed;
 mod free_grains;
 mod momentum;
+mod nodal;
 mod scene;
 mod surface;
 mod volume;

@@ -3,6 +3,7 @@
 use super::scene::{DEPTH, Random, SIDE, Tank, defect, grains};
 use fluid_solver::backend::pfem::grains::GrainsInCloud;
 use fluid_solver::backend::pfem::wall::Grip;
+use fluid_solver::grains::Spreading;
 use interface::frames::{GrainRow, ReactionRow};
 use interface::ledger::FluidLedger;
 
@@ -21,9 +22,8 @@ fn reactions(grains: &[GrainRow], step: f64, random: &mut Random) -> Vec<Reactio
     grains.iter().enumerate().map(reaction).collect()
 }
 
-fn ledger_closes<const D: usize, const N: usize>(cells: usize, count: usize) {
+fn ledger_closes<const D: usize, const N: usize>(mut tank: Tank<D, N>, count: usize) {
     let mut random = Random(3);
-    let mut tank = Tank::<D, N>::new(cells, Grip::NoSlip);
     // The highest grains are dry, others in the surface.
     let mut rows = grains::<D>(count, 1.1 * SIDE, &mut random);
     tank.grains.populate(&tank.cloud, &rows).unwrap();
@@ -86,10 +86,25 @@ fn what_grains_sample_is_what_the_fluid_gives<const D: usize, const N: usize>(
 
 #[test]
 fn momentum_closes_to_round_off_in_the_plane() {
-    ledger_closes::<2, 3>(12, 150);
+    ledger_closes(Tank::<2, 3>::new(12, Grip::NoSlip), 150);
 }
 
 #[test]
 fn momentum_closes_to_round_off_in_space() {
-    ledger_closes::<3, 4>(6, 600);
+    ledger_closes(Tank::<3, 4>::new(6, Grip::NoSlip), 600);
+}
+
+#[test]
+fn momentum_closes_to_round_off_with_grains_on_single_nodes() {
+    ledger_closes(Tank::<2, 3>::spread(12, Grip::NoSlip, Spreading::Nodal), 150);
+    ledger_closes(Tank::<3, 4>::spread(6, Grip::NoSlip, Spreading::Nodal), 600);
+}
+
+#[test]
+fn momentum_closes_to_round_off_among_slivers() {
+    let mut tank = Tank::<3, 4>::new(6, Grip::NoSlip);
+    tank.remesh();
+    let thinnest = tank.thinnest_cell();
+    assert!(thinnest < 0.02, "{thinnest}");
+    ledger_closes(tank, 600);
 }

@@ -4,16 +4,20 @@ use crate::support::{G, WATER, block, flow, gravity, tank, touch};
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::flow::{Flow, FlowSolution, Forces};
 use fluid_solver::backend::pfem::grains::{GrainsInCloud, Solved};
+use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, TargetSize};
 use fluid_solver::backend::pfem::wall::{Grip, Wall};
 use fluid_solver::backend::{Response, Step};
-use fluid_solver::element::simplex::in_space;
-use fluid_solver::grains::Medium;
+use fluid_solver::element::simplex::{in_space, longest_edge, volume_and_gradients};
+use fluid_solver::grains::{Medium, Spreading};
 use interface::frames::{GrainRow, ReactionRow};
 use interface::ledger::FluidLedger;
 
 pub const SIDE: f64 = 0.2;
 /// Depth of the slab of planar tanks.
 pub const DEPTH: f64 = 0.7;
+
+/// Volume of a regular tetrahedron of edge 1.
+const REGULAR: f64 = 0.117_851_130_197_757_93;
 
 pub struct Tank<const D: usize, const N: usize> {
     pub flow: Flow<D, N>,
@@ -26,13 +30,18 @@ pub struct Tank<const D: usize, const N: usize> {
 impl<const D: usize, const N: usize> Tank<D, N> {
     /// Water at rest, as high as wide.
     pub fn new(cells: usize, grip: Grip) -> Self {
+        Self::spread(cells, grip, Spreading::Kernel)
+    }
+
+    /// The same, its grains on nodes by some way.
+    pub fn spread(cells: usize, grip: Grip, spreading: Spreading) -> Self {
         let size = [SIDE; D];
         let (mut cloud, walls) = (block::<D, N>(size, [cells; D], 0.2), tank(size, grip));
         touch(&mut cloud, &walls);
         cloud.pressure = cloud.place.iter().map(|x| WATER.density * G * (SIDE - x[D - 1])).collect();
-        let medium = Medium { density: WATER.density, viscosity: 1e-3 };
         let depth = if D == 2 { DEPTH } else { 1.0 };
-        let grains = GrainsInCloud::new(medium, depth, cloud.place.len());
+        let medium = Medium { density: WATER.density, viscosity: 1e-3 };
+        let grains = GrainsInCloud::new(medium, depth, cloud.place.len(), spreading);
         Self { flow: flow(WATER, 1e-8), cloud, walls, grains, time: 0.0 }
     }
 
@@ -94,8 +103,28 @@ impl<const D: usize, const N: usize> Tank<D, N> {
 
     /// Volume of all cells.
     pub fn volume(&self) -> f64 {
-        use fluid_solver::element::simplex::volume_and_gradients;
         self.cloud.cells.iter().map(|cell| volume_and_gradients(&self.cloud.vertices(cell)).0).sum()
+    }
+}
+
+impl Tank<3, 4> {
+    /// New cells between the nodes as they are.
+    pub fn remesh(&mut self) {
+        let (mut remesher, size) =
+            (SpaceRemesher::new(Recognition::MovedDomain), TargetSize::Constant(SIDE / 6.0));
+        let mut books = Books::start(&self.cloud);
+        // Enough to leave the cells of the box for those of Delaunay.
+        self.cloud.place.iter_mut().for_each(|x| x[0] += 1e-3 * x[2] * (SIDE - x[0]) * x[0] / SIDE.powi(2));
+        remesher.remesh(&mut self.cloud, &self.walls, 0.0, &size, &mut books).unwrap();
+    }
+
+    /// Least volume of a cell over that of a regular one with its longest edge.
+    pub fn thinnest_cell(&self) -> f64 {
+        let share = |cell: &[u32; 4]| {
+            let vertices = self.cloud.vertices(cell);
+            volume_and_gradients(&vertices).0 / (REGULAR * longest_edge(&vertices).powi(3))
+        };
+        self.cloud.cells.iter().map(share).fold(f64::INFINITY, f64::min)
     }
 }
 

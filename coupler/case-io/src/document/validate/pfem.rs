@@ -37,6 +37,9 @@ pub(super) fn check(document: &Document, fluid: &Fluid, rules: &Rules) -> Result
         rules
             .required("fluid.pfem.size", "without [fluid.mesh] nothing else says how fine the bodies are")?;
     }
+    if document.grains.is_none() {
+        rules.no_effect("fluid.pfem.grains", "without [grains]")?;
+    }
     if let Some(pfem) = &fluid.pfem {
         super::refinement::check(pfem, rules)?;
     }
@@ -112,6 +115,16 @@ mod tests {
                     "[fluid.mesh]",
                     "pfem = { scheme = \"fractional\" }\n[fluid.mesh]",
                     "case.toml:12: fluid.pfem.scheme: unknown scheme \"fractional\"; allowed: monolithic, segregated, fractional-step; did you mean \"fractional-step\"?",
+                ),
+                (
+                    "[fluid.mesh]",
+                    "pfem = { grains = \"nodal\" }\n[fluid.mesh]",
+                    "case.toml:12: fluid.pfem.grains: has no effect without [grains]; delete it",
+                ),
+                (
+                    "[fluid.mesh]",
+                    "pfem = { grains = \"node\" }\n[fluid.mesh]",
+                    "case.toml:12: fluid.pfem.grains: unknown nodes \"node\"; allowed: kernel, nodal; did you mean \"nodal\"?",
                 ),
                 (
                     "[fluid.mesh]",

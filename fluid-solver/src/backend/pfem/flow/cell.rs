@@ -1,7 +1,7 @@
 //! What a cell adds to the rows of its nodes.
 
 use super::rheology::{Law, Rheology};
-use crate::element::simplex::{Vector, dot, volume_and_areas};
+use crate::element::simplex::{Vector, dot, longest_edge, volume_and_areas};
 
 /// A cell in the middle of the step.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +32,16 @@ pub const fn regular_volume(dimension: usize) -> f64 {
     if dimension == 2 { 0.433_012_701_892_219_3 } else { 0.117_851_130_197_757_93 }
 }
 
+/// What is taken for the volume of a cell in a divisor.
+fn size<const D: usize, const N: usize>(corners: &[Vector<D>; N], volume: f64) -> f64 {
+    volume.max(SLIVER[D - 2] * regular_volume(D) * longest_edge(corners).powi(D as i32))
+}
+
+/// [`Cell::fullness`] of a cell with these corners and this volume.
+pub fn fullness<const D: usize, const N: usize>(corners: &[Vector<D>; N], volume: f64) -> f64 {
+    volume / size(corners, volume)
+}
+
 impl<const D: usize, const N: usize> Cell<D, N> {
     /// A cell with these corners that move with v; `inertia` is ρ/(θΔt).
     ///
@@ -40,9 +50,7 @@ impl<const D: usize, const N: usize> Cell<D, N> {
     /// Source: Oñate, Franci and Carbonell, *Int. J. Numer. Meth. Fluids* 74 (2014) 699.
     pub fn new(corners: &[Vector<D>; N], v: &[Vector<D>; N], inertia: f64, rheology: &Rheology) -> Self {
         let (volume, areas) = volume_and_areas(corners);
-        let longest = crate::element::simplex::longest_edge(corners);
-        let least = SLIVER[D - 2] * regular_volume(D) * longest.powi(D as i32);
-        let size = volume.max(least);
+        let size = size(corners, volume);
         let h = 2.0 * if D == 2 { size.sqrt() } else { size.cbrt() };
         let (inverse, fullness) = (1.0 / size, volume / size);
         let mut cell =

@@ -152,6 +152,20 @@ pub fn moment<const D: usize, const N: usize>(cloud: &Cloud<D, N>, nodes: &[f64]
     std::array::from_fn(|k| cloud.place.iter().zip(nodes).map(|(x, volume)| volume * x[k]).sum())
 }
 
+/// Energy of the fluid between grains: of the share ε of the cells, given at the nodes, and of the drops.
+pub fn energy_between_grains<const D: usize, const N: usize>(
+    cloud: &Cloud<D, N>,
+    void_fraction: &[f64],
+) -> Energy<D> {
+    let (mut cells, mut nodes) = (Vec::new(), Vec::new());
+    volumes(cloud, &mut cells, &mut nodes);
+    for (cell, volume) in cloud.cells.iter().zip(&mut cells) {
+        *volume *= cell.iter().map(|&node| void_fraction[node as usize]).sum::<f64>() / N as f64;
+    }
+    nodes.iter_mut().zip(void_fraction).for_each(|(volume, void)| *volume *= void);
+    Energy { kinetic: kinetic_energy(cloud, &cells), moment: moment(cloud, &nodes) }
+}
+
 /// Energy of the cells and of the drops.
 pub fn energy<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Energy<D> {
     let (mut cells, mut nodes) = (Vec::new(), Vec::new());

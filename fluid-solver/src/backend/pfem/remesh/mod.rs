@@ -13,9 +13,11 @@ mod size;
 mod space;
 mod tessellation;
 mod topology;
-mod transfer;
+pub(super) mod transfer;
 
-pub use books::{Account, Books, Energy, EnergyBooks, VolumeBooks, energy, volume};
+pub use books::{
+    Account, Books, Energy, EnergyBooks, VolumeBooks, energy, energy_between_grains, volume, volumes,
+};
 pub use grading::{Grading, Near, Source};
 pub use recognition::Recognition;
 pub use size::TargetSize;
@@ -25,7 +27,7 @@ pub use topology::Events;
 use super::cloud::{Cloud, OUTSIDE};
 use super::wall::Wall;
 use crate::element::simplex::Vector;
-use books::{kinetic_energy, volumes};
+use books::kinetic_energy;
 use draft::{Draft, area, height};
 use tessellation::Tessellation;
 

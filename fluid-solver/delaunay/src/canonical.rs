@@ -1,0 +1,108 @@
+//! The cells in an order of their own: that of their corners.
+
+use crate::build::{Cell, Mark, Mesh};
+use crate::{HULL, Triangulation};
+
+/// A cell on its way out.
+#[derive(Clone, Copy)]
+struct Entry<const N: usize> {
+    corners: [u32; N],
+    /// Where its neighbours are in the mesh.
+    neighbours: [u32; N],
+    /// Where it is itself.
+    slot: u32,
+}
+
+/// Copies cells out in an order that does not depend on how they came about.
+///
+/// Corners rise, but for the last two, which may change places to make the cell positive; cells rise by their corners.
+#[derive(Default)]
+pub struct Canonical<const N: usize> {
+    entries: Vec<Entry<N>>,
+    /// For each point where its cells begin: those that it is the least corner of.
+    begin: Vec<u32>,
+    number: Vec<u32>,
+}
+
+impl<const N: usize> Canonical<N> {
+    /// Copies the cells of a mesh of `points` points that are no ghosts.
+    pub fn copy<const D: usize>(
+        &mut self,
+        mesh: &Mesh<D, N>,
+        points: usize,
+        triangulation: &mut Triangulation<N>,
+    ) {
+        let Self { entries, begin, number } = self;
+        begin.clear();
+        begin.resize(points + 1, 0);
+        number.clear();
+        number.resize(mesh.cells.len(), HULL);
+        let least = |cell: &Cell<N>| {
+            cell.corners.iter().fold((u32::MAX, false), |(least, ghost), corner| {
+                let name = mesh.names[*corner as usize];
+                (least.min(name), ghost | (name == HULL))
+            })
+        };
+        for (slot, cell) in mesh.cells.iter().enumerate() {
+            let (least, ghost) = least(cell);
+            if !ghost && mesh.marks[slot] != Mark::Free {
+                number[slot] = least;
+                begin[least as usize + 1] += 1;
+            }
+        }
+        for k in 1..begin.len() {
+            begin[k] += begin[k - 1];
+        }
+        let none = Entry { corners: [HULL; N], neighbours: [HULL; N], slot: HULL };
+        entries.clear();
+        entries.resize(begin[points] as usize, none);
+        for (slot, cell) in mesh.cells.iter().enumerate().filter(|(slot, _)| number[*slot] != HULL) {
+            let next = &mut begin[number[slot] as usize];
+            entries[*next as usize] = Entry::new(mesh, slot, cell);
+            *next += 1;
+        }
+        let mut start = 0;
+        for &end in &begin[..points] {
+            entries[start..end as usize].sort_unstable_by_key(Entry::key);
+            start = end as usize;
+        }
+        for (place, entry) in entries.iter().enumerate() {
+            number[entry.slot as usize] = place as u32;
+        }
+        triangulation.cells.clear();
+        triangulation.cells.extend(entries.iter().map(|entry| entry.corners));
+        triangulation.neighbours.clear();
+        triangulation
+            .neighbours
+            .extend(entries.iter().map(|entry| entry.neighbours.map(|slot| number[slot as usize])));
+    }
+}
+
+impl<const N: usize> Entry<N> {
+    /// What cells of the same least corner are sorted by: their other corners.
+    fn key(&self) -> (u64, u32) {
+        (u64::from(self.corners[1]) << 32 | u64::from(self.corners[2]), self.corners[N - 1])
+    }
+
+    fn new<const D: usize>(mesh: &Mesh<D, N>, slot: usize, cell: &Cell<N>) -> Self {
+        let mut corners = cell.corners.map(|corner| mesh.names[corner as usize]);
+        let mut neighbours = cell.neighbours.map(|face| face.cell());
+        // Insertion, an exchange of neighbours at a time; an even number of them leaves the cell positive.
+        let mut even = true;
+        for end in 1..N {
+            for k in (1..=end).rev() {
+                if corners[k - 1] < corners[k] {
+                    break;
+                }
+                corners.swap(k - 1, k);
+                neighbours.swap(k - 1, k);
+                even = !even;
+            }
+        }
+        if !even {
+            corners.swap(N - 2, N - 1);
+            neighbours.swap(N - 2, N - 1);
+        }
+        Self { corners, neighbours, slot: slot as u32 }
+    }
+}

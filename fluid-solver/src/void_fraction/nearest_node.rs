@@ -1,0 +1,73 @@
+//! A grain on the one node that is nearest: on its own node, where the mesh has one for it.
+
+use super::node_kernel::Grain;
+use super::node_search::NodeSearch;
+use super::weights::Weights;
+use crate::element::simplex::{Vector, distance};
+use crate::mesh::Mesh;
+use rayon::prelude::*;
+
+/// σ over the mesh size: the kernel of this width drags the fluid that a grain samples along as much as a force on a node
+/// does the node, measured at spheres and discs that settle.
+const WIDTH: [f64; 2] = [0.2, 0.25];
+
+/// Doublings of the radius of the search.
+const DOUBLINGS: usize = 64;
+
+/// Weights of one on the nearest node of a cell.
+#[derive(Debug, Clone)]
+pub struct NearestNode<const D: usize> {
+    search: NodeSearch<D>,
+    /// Whether a node is of a cell, in the order of the search.
+    wet: Vec<bool>,
+}
+
+impl<const D: usize> NearestNode<D> {
+    /// For the nodes of a mesh as they are now.
+    pub fn new<const N: usize>(mesh: &Mesh<D, N>) -> Self {
+        let search = NodeSearch::new(mesh);
+        let wet = search.order().iter().map(|&node| mesh.measure()[node as usize] > 0.0).collect();
+        Self { search, wet }
+    }
+
+    /// Rebuilds the weights of all grains; `size` is the mesh size at a grain (m), none for a dry one, which gets no weights.
+    pub fn weigh(
+        &self,
+        grains: &[Grain<D>],
+        size: impl Fn(usize) -> Option<f64> + Sync,
+        weights: &mut Weights,
+    ) {
+        let chunks = weights.clear(grains.len()).par_iter_mut();
+        chunks.zip(grains.par_chunks(Weights::GRAINS_PER_CHUNK)).enumerate().for_each(
+            |(index, (chunk, grains))| {
+                for (number, grain) in (index * Weights::GRAINS_PER_CHUNK..).zip(grains) {
+                    let nearest = size(number).and_then(|h| Some((h, self.nearest(&grain.position, h)?)));
+                    match nearest {
+                        None => chunk.close_row(0.0),
+                        Some((h, node)) => {
+                            chunk.extend_row(&[node], |_| 1.0);
+                            chunk.close_row(WIDTH[D - 2] * h);
+                        }
+                    }
+                }
+            },
+        );
+    }
+
+    /// The nearest node of a cell, looked for from a radius on (m).
+    fn nearest(&self, x: &Vector<D>, radius: f64) -> Option<u32> {
+        (0..DOUBLINGS as i32).find_map(|doubling| {
+            let radius = radius * f64::powi(2.0, doubling);
+            let mut nearest: Option<(f64, u32)> = None;
+            self.search.for_each_run(x, radius, |run, x| {
+                for place in run.filter(|&place| self.wet[place]) {
+                    let found = (distance(&self.search.positions()[place], x), self.search.order()[place]);
+                    if found.0 <= radius && nearest.is_none_or(|nearest| found < nearest) {
+                        nearest = Some(found);
+                    }
+                }
+            });
+            nearest.map(|(_, node)| node)
+        })
+    }
+}
