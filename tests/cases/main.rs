@@ -41,6 +41,7 @@ cases! {
     dam_break_wall "dam-break-wall"
     falling_cylinder "falling-cylinder"
     filling_container "filling-container"
+    filling_container_3d "filling-container-3d"
     fluidised_bed "fluidised-bed"
     grains_in_sloshing_tank "grains-in-sloshing-tank"
     grains_into_water "grains-into-water"

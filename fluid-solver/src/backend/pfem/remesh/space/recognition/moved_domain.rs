@@ -183,6 +183,9 @@ impl MovedDomain {
                 halves.push(Half { cell, share, volume: tetrahedra.volume(cloud, cell) });
             }
         }
+        if halves.is_empty() {
+            return;
+        }
         halves.sort_by(|a, b| b.share.total_cmp(&a.share));
         let fluid =
             (0..verdicts.len()).filter(|&cell| matches!(verdicts[cell], Verdict::Fluid | Verdict::Inside));
