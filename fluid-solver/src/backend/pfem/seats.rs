@@ -10,8 +10,8 @@ use super::cloud::{Cloud, OUTSIDE};
 use crate::element::simplex::{Vector, distance, volume_and_areas};
 use rayon::prelude::*;
 
-/// A grain this near to another, as a share of the distance of their nodes' neighbours, has no node of its own: remeshing would
-/// take one of them away.
+/// A grain nearer to another than this share of the target size has no node of its own: remeshing would take one of them
+/// away.
 const CLOSEST: f64 = 0.6;
 
 /// Puts nodes to grains at these places; returns those nodes. `size` is the target size at the nodes (m).

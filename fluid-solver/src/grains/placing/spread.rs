@@ -1,4 +1,4 @@
-//! On which nodes of a mesh that moves a grain acts, and which it samples.
+//! On which nodes of a mesh that moves a grain acts: those that it samples.
 
 use crate::mesh::Mesh;
 use crate::void_fraction::{Grain, NearestNode, SurfaceKernel, Weights};

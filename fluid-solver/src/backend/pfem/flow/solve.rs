@@ -21,9 +21,12 @@ use std::cell::RefCell;
 
 /// A time after all others (s) whose third power is a number.
 const NEVER: f64 = 1e60;
-/// Least θ with grains: the divergence of v_m follows them from step to step, and the middle of a step would turn what it
-/// leaves of the last one round for ever.
-const WITH_GRAINS: f64 = 0.6;
+/// Least θ with grains is 0.6 + ½(1 − ε), at most 1, ε the least void fraction: the divergence of v_m follows them from step to step, a step
+/// turns the share 1/θ − 1 of what the last one left round, and the denser they are the more they feed on it.
+fn least_implicitness(void_fraction: &[f64]) -> f64 {
+    let densest = 1.0 - void_fraction.iter().copied().fold(1.0, f64::min);
+    (0.6 + 0.5 * densest).min(1.0)
+}
 /// Residuals below this share of the sizes of their terms are round-off.
 const ROUND_OFF: f64 = 2e-15;
 /// Forces that grow by this factor within a step do not converge.
@@ -137,7 +140,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         self.implicitness = match &forces.grains {
             // What a yield stress has stopped would be turned round in each step.
             None if !self.fluid.rheology.is_newtonian() => 1.0,
-            Some(_) => stated.max(WITH_GRAINS),
+            Some(grains) => stated.max(least_implicitness(grains.void_fraction)),
             None => stated,
         };
         let nodes = cloud.place.len();
