@@ -4,6 +4,7 @@
 //! `cargo run --release -p fluid-solver --example remeshing -- [cells across the column] [steps]`
 
 use fluid_solver::backend::Step;
+use fluid_solver::backend::pfem::Renewal;
 use fluid_solver::backend::pfem::body::Body;
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::flow::{Control, Flow, FlowFault, Fluid, Forces, Newtonian, Rheology};

@@ -101,7 +101,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
             size.at_nodes(cloud, &mut sizes);
             seat(cloud, &self.grains.positions().collect::<Vec<_>>(), &sizes);
         }
-        counts.add(&self.renewal.renew(cloud, walls, time, size, books)?);
+        counts.add(&self.renewal.remesh(cloud, walls, time, size, books)?);
         self.grains.begin(cloud)?;
         self.grains.keep_momentum(cloud, momentum);
         Ok(())

@@ -1,16 +1,19 @@
 //! Whatever finds the mesh between moved nodes.
 
 use super::cloud::Cloud;
-use super::remesh::{Books, Events, Remesher, SpaceRemesher, TargetSize};
+use super::remesh::{Books, Events, TargetSize};
 use super::wall::Wall;
 
 /// Finds the mesh at t_{n+1} between nodes that moved.
 pub trait Renewal<const D: usize, const N: usize>: Send {
-    /// On entry the cells are those before the move.
+    /// The mesh of a cloud whose nodes were moved: on entry its cells are those before the move.
+    ///
+    /// Σ m_i v_i over cells and drops (m_i an N-th of the cells around a node) is kept to round-off, but for what nodes that
+    /// land on a wall give to it.
     ///
     /// # Errors
-    /// Places that are not finite.
-    fn renew(
+    /// A place that is not finite.
+    fn remesh(
         &mut self,
         cloud: &mut Cloud<D, N>,
         walls: &[Wall<D>],
@@ -18,30 +21,4 @@ pub trait Renewal<const D: usize, const N: usize>: Send {
         size: &TargetSize,
         books: &mut Books<D>,
     ) -> Result<Events, delaunay::Error>;
-}
-
-impl Renewal<2, 3> for Remesher<2, 3> {
-    fn renew(
-        &mut self,
-        cloud: &mut Cloud<2, 3>,
-        walls: &[Wall<2>],
-        time: f64,
-        size: &TargetSize,
-        books: &mut Books<2>,
-    ) -> Result<Events, delaunay::Error> {
-        self.remesh(cloud, walls, time, size, books)
-    }
-}
-
-impl Renewal<3, 4> for SpaceRemesher {
-    fn renew(
-        &mut self,
-        cloud: &mut Cloud<3, 4>,
-        walls: &[Wall<3>],
-        time: f64,
-        size: &TargetSize,
-        books: &mut Books<3>,
-    ) -> Result<Events, delaunay::Error> {
-        self.remesh(cloud, walls, time, size, books)
-    }
 }

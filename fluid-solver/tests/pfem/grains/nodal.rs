@@ -33,7 +33,7 @@ fn has_its_node_all_the_way<const D: usize, const N: usize>(mut renewal: impl Re
             [0.18, 0.36].map(|start| std::array::from_fn(|k| if k == 0 { start + way } else { 0.43 }));
         let sizes = vec![SIZE; cloud.place.len()];
         assert_eq!(seat(&mut cloud, &grains, &sizes).len(), 2, "{n}");
-        renewal.renew(&mut cloud, &walls, 0.0, &size, &mut books).unwrap();
+        renewal.remesh(&mut cloud, &walls, 0.0, &size, &mut books).unwrap();
         for x in &grains {
             let node = node_at(&cloud, x).unwrap_or_else(|| panic!("window {n}: no node at {x:?}"));
             assert!(cloud.cells.iter().flatten().any(|&corner| corner as usize == node));

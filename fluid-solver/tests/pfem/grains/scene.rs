@@ -1,6 +1,7 @@
 //! A tank of water with grains, window by window on the same cells.
 
 use crate::support::{G, WATER, block, flow, gravity, tank, touch};
+use fluid_solver::backend::pfem::Renewal;
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::flow::{Flow, FlowSolution, Forces};
 use fluid_solver::backend::pfem::grains::{GrainsInCloud, Solved};

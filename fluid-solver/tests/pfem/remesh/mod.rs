@@ -9,6 +9,7 @@ mod stated_motion;
 mod topology;
 
 use crate::support;
+use fluid_solver::backend::pfem::Renewal;
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::remesh::{Books, Events, Recognition, Remesher, TargetSize, energy, volume};
 use fluid_solver::backend::pfem::wall::{Contacts, Wall};

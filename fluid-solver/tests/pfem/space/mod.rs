@@ -5,6 +5,7 @@ mod robust;
 
 use crate::support::{G, WATER, block, flow, gravity, largest_speed, tank, touch};
 use fluid_solver::backend::Step;
+use fluid_solver::backend::pfem::Renewal;
 use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
 use fluid_solver::backend::pfem::flow::{Flow, FlowFault};
 use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, TargetSize, energy};

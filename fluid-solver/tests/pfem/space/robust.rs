@@ -3,6 +3,7 @@
 use super::step;
 use crate::support::{G, WATER, add_drop, block, flow, tank, touch};
 use fluid_solver::backend::Step;
+use fluid_solver::backend::pfem::Renewal;
 use fluid_solver::backend::pfem::body::Body;
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, TargetSize, energy};

@@ -25,6 +25,7 @@ pub use space::{SpaceRemesher, Spent};
 pub use topology::Events;
 
 use super::cloud::{Cloud, OUTSIDE};
+use super::renewal::Renewal;
 use super::wall::Wall;
 use crate::element::simplex::Vector;
 use books::kinetic_energy;
@@ -51,20 +52,9 @@ pub struct Remesher<const D: usize, const N: usize> {
     number: Vec<u32>,
 }
 
-impl Remesher<2, 3> {
-    /// A remesher with a rule.
-    pub fn new(recognition: Recognition) -> Self {
-        Self { recognition, ..Self::default() }
-    }
-
-    /// The mesh of a cloud whose nodes were moved: on entry its cells are those before the move.
-    ///
-    /// Σ m_i v_i over cells and drops (m_i a third of the cells around a node) is kept to round-off, but for what nodes
-    /// that land on a wall give to it. Events can leave nodes close together: then nodes are managed once more.
-    ///
-    /// # Errors
-    /// A place that is not finite.
-    pub fn remesh(
+impl Renewal<2, 3> for Remesher<2, 3> {
+    /// Events can leave nodes close together: then nodes are managed once more.
+    fn remesh(
         &mut self,
         cloud: &mut Cloud<2, 3>,
         walls: &[Wall<2>],
@@ -81,6 +71,13 @@ impl Remesher<2, 3> {
         }
         cloud.relieve_drops();
         Ok(events)
+    }
+}
+
+impl Remesher<2, 3> {
+    /// A remesher with a rule.
+    pub fn new(recognition: Recognition) -> Self {
+        Self { recognition, ..Self::default() }
     }
 
     /// Whether a cell is so flat that no step could move it.

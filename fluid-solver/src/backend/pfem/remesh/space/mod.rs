@@ -23,6 +23,7 @@ use super::topology::Events;
 use super::transfer;
 use super::{Books, Energy, TargetSize};
 use crate::backend::pfem::cloud::Cloud;
+use crate::backend::pfem::renewal::Renewal;
 use crate::backend::pfem::wall::Wall;
 use crate::element::simplex::Vector;
 use interface::usage::ThreadClock;
@@ -56,14 +57,10 @@ impl SpaceRemesher {
     pub fn new(recognition: Recognition) -> Self {
         Self { recognition, ..Self::default() }
     }
+}
 
-    /// The mesh of a cloud whose nodes were moved: on entry its cells are those before the move.
-    ///
-    /// Σ m_i v_i over cells and drops (m_i a quarter of the cells around a node) is kept to round-off.
-    ///
-    /// # Errors
-    /// A place that is not finite.
-    pub fn remesh(
+impl Renewal<3, 4> for SpaceRemesher {
+    fn remesh(
         &mut self,
         cloud: &mut Cloud<3, 4>,
         walls: &[Wall<3>],
