@@ -14,6 +14,9 @@ use rayon::prelude::*;
 /// away.
 const CLOSEST: f64 = 0.6;
 
+/// A grain on a face is in one of its cells, though either finds it outside by this much.
+const ROUND_OFF: f64 = 1e-9;
+
 /// Puts nodes to grains at these places; returns those nodes. `size` is the target size at the nodes (m).
 ///
 /// They become the oldest of the cloud: of two nodes too close to each other the younger goes.
@@ -67,7 +70,7 @@ fn find<const D: usize, const N: usize>(
         let weights = std::array::from_fn(|i| {
             1.0 + (0..D).map(|k| areas[i][k] * (place[k] - vertices[i][k])).sum::<f64>() / volume
         });
-        weights.iter().all(|&weight| weight >= 0.0).then_some(weights)
+        weights.iter().all(|&weight| weight >= -ROUND_OFF).then_some(weights)
     };
     let (cell, weights) = cloud.cells.par_iter().find_map_first(|cell| Some((cell, weights(cell)?)))?;
     let corners = cell.map(|node| node as usize);

@@ -60,3 +60,20 @@ fn a_grain_beside_another_or_outside_has_none_of_its_own() {
     let sizes = vec![SIZE; cloud.place.len()];
     assert_eq!(seat(&mut cloud, &[[0.43, 0.52], [0.46, 0.52], [0.43, 1.01]], &sizes).len(), 1);
 }
+
+#[test]
+fn a_grain_on_the_edge_between_two_cells_has_a_node() {
+    let cloud = block::<3, 4>([1.0; 3], [6; 3], 0.2);
+    let sizes = vec![1.0 / 6.0; cloud.place.len()];
+    let is_inner = |x: &[f64; 3]| x.iter().all(|x| (0.2..0.8).contains(x));
+    let edges = cloud.cells.iter().map(|cell| [cell[0], cell[1]].map(|node| cloud.place[node as usize]));
+    let mut tried = 0;
+    for [a, b] in edges.filter(|ends| ends.iter().all(is_inner)) {
+        for share in [0.1, 0.3, 0.7] {
+            let place = std::array::from_fn(|k| a[k] + share * (b[k] - a[k]));
+            assert_eq!(seat(&mut cloud.clone(), &[place], &sizes).len(), 1, "{place:?}");
+            tried += 1;
+        }
+    }
+    assert!(tried > 100);
+}
