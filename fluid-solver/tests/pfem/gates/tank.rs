@@ -50,3 +50,31 @@ plane = { point = ["0 m", "0 m"], normal = [0, 1] }"#;
     assert_eq!(value(&*tank, "nodes[-]"), 0.0);
     assert!((value(&*tank, "volume-left[m^3]") - 0.1).abs() <= 1e-3);
 }
+
+#[test]
+fn a_tank_in_space_without_a_side_empties_to_the_last_node() {
+    let tables = r#"[fluid.mesh.box]
+lower = ["0 m", "0 m", "0 m"]
+upper = ["0.5 m", "0.1 m", "0.2 m"]
+size = "40 mm"
+[[fluid.boundary]]
+on = ["x-min", "y-min", "y-max", "floor"]
+kind = "slip"
+[[fluid.boundary]]
+on = ["x-max"]
+kind = "outlet"
+[[fluid.boundary]]
+on = ["z-min", "z-max"]
+kind = "free-surface"
+[[wall]]
+name = "floor"
+plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 1] }"#;
+    let mut tank = fluid(
+        "emptying-space",
+        3,
+        &format!("body-force = [\"3 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n{tables}"),
+    );
+    advance(&mut *tank, 5e-3, [0.0, 3.0]);
+    assert_eq!(value(&*tank, "nodes[-]"), 0.0);
+    assert!((value(&*tank, "volume-left[m^3]") - 0.01).abs() <= 1e-4);
+}

@@ -88,6 +88,7 @@ impl<const D: usize> Contact<D> {
         let middle = step.time + 0.5 * step.length;
         for (node, touched) in self.touched.iter().enumerate() {
             if touched.is_empty() {
+                self.constraints[node] = Constraint::FREE;
                 continue;
             }
             let (place, mut v) = (&cloud.place[node], v[node]);

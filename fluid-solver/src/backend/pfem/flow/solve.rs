@@ -21,12 +21,16 @@ use std::cell::RefCell;
 
 /// A time after all others (s) whose third power is a number.
 const NEVER: f64 = 1e60;
-/// Least θ with grains is 0.6 + ½(1 − ε), at most 1, ε the least void fraction: the divergence of v_m follows them from step to step, a step
-/// turns the share 1/θ − 1 of what the last one left round, and the denser they are the more they feed on it.
+
+/// Least θ with grains: 0.6 + ½(1 − ε), at most 1, ε being the least void fraction.
+///
+/// The divergence of v_m follows the grains from step to step, and a step turns the share 1/θ − 1 of what the last one left
+/// of it round: the denser they are the more they feed on it.
 fn least_implicitness(void_fraction: &[f64]) -> f64 {
     let densest = 1.0 - void_fraction.iter().copied().fold(1.0, f64::min);
     (0.6 + 0.5 * densest).min(1.0)
 }
+
 /// Residuals below this share of the sizes of their terms are round-off.
 const ROUND_OFF: f64 = 2e-15;
 /// Forces that grow by this factor within a step do not converge.
