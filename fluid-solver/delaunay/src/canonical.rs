@@ -3,6 +3,9 @@
 use crate::build::{Cell, Mark, Mesh};
 use crate::{HULL, Triangulation};
 
+/// Blocks that cells are dealt to on their way to their places.
+const BLOCKS: usize = 512;
+
 /// A cell on its way out.
 #[derive(Clone, Copy)]
 struct Entry<const N: usize> {
@@ -19,6 +22,7 @@ struct Entry<const N: usize> {
 #[derive(Default)]
 pub struct Canonical<const N: usize> {
     entries: Vec<Entry<N>>,
+    block: Vec<Entry<N>>,
     /// For each point where its cells begin: those that it is the least corner of.
     begin: Vec<u32>,
     number: Vec<u32>,
@@ -32,7 +36,7 @@ impl<const N: usize> Canonical<N> {
         points: usize,
         triangulation: &mut Triangulation<N>,
     ) {
-        let Self { entries, begin, number } = self;
+        let Self { entries, block, begin, number } = self;
         begin.clear();
         begin.resize(points + 1, 0);
         number.clear();
@@ -56,10 +60,25 @@ impl<const N: usize> Canonical<N> {
         let none = Entry { corners: [HULL; N], neighbours: [HULL; N], slot: HULL };
         entries.clear();
         entries.resize(begin[points] as usize, none);
+        // First to blocks of least corners that stay in the cache, then within each.
+        let width = points.div_ceil(BLOCKS).max(1);
+        let ends = begin.iter().copied().skip(width).step_by(width).chain([begin[points]]);
+        let blocks = || begin[..points].iter().copied().step_by(width);
+        let mut next: Vec<u32> = blocks().collect();
+        let ranges: Vec<_> = blocks().zip(ends).map(|(start, end)| start as usize..end as usize).collect();
         for (slot, cell) in mesh.cells.iter().enumerate().filter(|(slot, _)| number[*slot] != HULL) {
-            let next = &mut begin[number[slot] as usize];
+            let next = &mut next[number[slot] as usize / width];
             entries[*next as usize] = Entry::new(mesh, slot, cell);
             *next += 1;
+        }
+        for range in ranges {
+            block.clear();
+            block.extend_from_slice(&entries[range]);
+            for entry in &*block {
+                let next = &mut begin[entry.corners[0] as usize];
+                entries[*next as usize] = *entry;
+                *next += 1;
+            }
         }
         let mut start = 0;
         for &end in &begin[..points] {
