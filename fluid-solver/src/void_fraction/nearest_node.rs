@@ -5,7 +5,6 @@ use super::node_search::NodeSearch;
 use super::weights::Weights;
 use crate::element::simplex::{Vector, distance};
 use crate::mesh::Mesh;
-use rayon::prelude::*;
 
 /// σ over the mesh size: the kernel of this width drags the fluid that a grain samples along as much as a force on a node
 /// does the node, measured at spheres and discs that settle.
@@ -37,21 +36,15 @@ impl<const D: usize> NearestNode<D> {
         size: impl Fn(usize) -> Option<f64> + Sync,
         weights: &mut Weights,
     ) {
-        let chunks = weights.clear(grains.len()).par_iter_mut();
-        chunks.zip(grains.par_chunks(Weights::GRAINS_PER_CHUNK)).enumerate().for_each(
-            |(index, (chunk, grains))| {
-                for (number, grain) in (index * Weights::GRAINS_PER_CHUNK..).zip(grains) {
-                    let nearest = size(number).and_then(|h| Some((h, self.nearest(&grain.position, h)?)));
-                    match nearest {
-                        None => chunk.close_row(0.0),
-                        Some((h, node)) => {
-                            chunk.extend_row(&[node], |_| 1.0);
-                            chunk.close_row(WIDTH[D - 2] * h);
-                        }
-                    }
+        weights.rebuild(grains, |chunk, number, grain| {
+            match size(number).and_then(|h| Some((h, self.nearest(&grain.position, h)?))) {
+                None => chunk.close_row(0.0),
+                Some((h, node)) => {
+                    chunk.extend_row(&[node], |_| 1.0);
+                    chunk.close_row(WIDTH[D - 2] * h);
                 }
-            },
-        );
+            }
+        });
     }
 
     /// The nearest node of a cell, looked for from a radius on (m).

@@ -1,5 +1,7 @@
 //! Weights of grains on nodes: a sparse matrix, one row per grain.
 
+use rayon::prelude::*;
+
 /// Rows `(nodes, values)` of all grains, in chunks of fixed size that are rebuilt in place.
 ///
 /// Each chunk is a compressed row store of its own, so that threads fill them without knowing the lengths of others
@@ -53,6 +55,16 @@ impl Weights {
 
     pub(crate) fn chunks(&self) -> &[Chunk] {
         &self.chunks
+    }
+
+    /// Rebuilds the rows of all grains: `fill_row` fills that of one, given its number, and closes it.
+    pub(super) fn rebuild<G: Sync>(&mut self, grains: &[G], fill_row: impl Fn(&mut Chunk, usize, &G) + Sync) {
+        let chunks = self.clear(grains.len()).par_iter_mut().zip(grains.par_chunks(Self::GRAINS_PER_CHUNK));
+        chunks.enumerate().for_each(|(index, (chunk, grains))| {
+            for (number, grain) in (index * Self::GRAINS_PER_CHUNK..).zip(grains) {
+                fill_row(chunk, number, grain);
+            }
+        });
     }
 
     /// Empties all rows and makes room for `grains`; chunks keep their memory.

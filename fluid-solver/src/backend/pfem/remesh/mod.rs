@@ -4,6 +4,7 @@
 //! triangulated with the surface in it, what lies inside is fluid, and then surfaces merge and break.
 
 mod books;
+mod buried;
 mod correction;
 mod draft;
 mod grading;

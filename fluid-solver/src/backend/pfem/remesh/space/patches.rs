@@ -1,13 +1,14 @@
 //! What is too small or too thin for cells, or in a wall: voids are filled, pieces and slivers leave, dry nodes fly.
 
 use super::super::VolumeBooks;
+use super::super::buried::is_buried;
 use super::super::draft::Draft;
-use super::super::topology::{BURIED, Events};
+use super::super::topology::Events;
 use super::surface::OUTWARD;
 use super::tetrahedra::Tetrahedra;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::{Contacts, Wall};
-use crate::element::simplex::{Vector, longest_edge};
+use crate::backend::pfem::wall::Wall;
+use crate::element::simplex::longest_edge;
 use delaunay::HULL;
 
 /// A closed void smaller than this many h³ is filled.
@@ -165,8 +166,7 @@ impl Patches {
     }
 }
 
-/// Takes the cells away whose corners lie on one wall and whose middle is in it: they cut the corner of an obstacle. Returns their
-/// number and volume.
+/// Takes the cells away that are buried in walls; returns their number and volume.
 fn unearth(
     cloud: &Cloud<3, 4>,
     draft: &Draft<3>,
@@ -177,14 +177,8 @@ fn unearth(
     let (mut count, mut sum) = (0, 0.0);
     for cell in 0..tetrahedra.fluid.len() {
         let corners = tetrahedra.made.cells[cell];
-        let common = corners.map(|node| cloud.contacts[node as usize]).into_iter().reduce(Contacts::common);
-        if !tetrahedra.fluid[cell] || common.is_none_or(Contacts::is_empty) {
-            continue;
-        }
-        let vertices = cloud.vertices(&corners);
-        let middle: Vector<3> = std::array::from_fn(|k| vertices.iter().map(|x| x[k]).sum::<f64>() / 4.0);
-        let deep = BURIED * draft.size[corners[0] as usize];
-        if common.is_some_and(|common| common.iter().any(|wall| walls[wall].gap(&middle, time) < -deep)) {
+        let h = draft.size[corners[0] as usize];
+        if tetrahedra.fluid[cell] && is_buried(cloud, walls, time, &corners, h) {
             tetrahedra.fluid[cell] = false;
             count += 1;
             sum += tetrahedra.volume(cloud, cell);

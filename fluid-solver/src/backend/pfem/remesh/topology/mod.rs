@@ -11,7 +11,7 @@ pub use absorption::absorb_drops;
 pub use closing::close_gaps;
 pub use droplets::release_droplets;
 pub use landing::land_on_walls;
-pub use separation::{BURIED, break_thin_cells};
+pub use separation::break_thin_cells;
 pub use voids::fill_small_voids;
 
 /// What happened in a remeshing.

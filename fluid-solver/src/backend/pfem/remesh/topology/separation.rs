@@ -1,17 +1,14 @@
 //! Sheets and necks break where they are too thin for the cells.
 
+use super::super::buried::is_buried;
 use super::super::draft::{Draft, area, height};
 use super::super::tessellation::Tessellation;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::{Contacts, Wall};
-use crate::element::simplex::Vector;
+use crate::backend::pfem::wall::Wall;
 use delaunay::HULL;
 
 /// A cell between two surfaces breaks when it is thinner than this share of h.
 const THINNEST: f64 = 0.05;
-
-/// A cell whose corners all lie on one wall is buried in it if its middle is behind by more than this share of h.
-pub const BURIED: f64 = 0.05;
 
 /// A drop has at least this many h².
 const SMALLEST_DROP: f64 = 1e-3;
@@ -45,7 +42,7 @@ pub fn break_thin_cells(
         let thin = || height(&triangles.vertices(triangle)) < THINNEST * h;
         let between_surfaces = || nodes.iter().all(|&node| exposed[node as usize]);
         let ends = || triangles.along_one_wall(cloud, triangle) || open(cloud, triangles, triangle);
-        let buried = || is_buried(cloud, walls, time, (nodes, &triangles.vertices(triangle)), h);
+        let buried = || is_buried(cloud, walls, time, &nodes, h);
         if (between_surfaces() && thin() && ends()) || buried() {
             broken.push(triangle);
         }
@@ -70,19 +67,6 @@ pub fn break_thin_cells(
     }
     triangles.scratch = scratch;
     (broken.len() as u32, lost)
-}
-
-/// Whether the corners of a triangle are on one wall and its middle is in it.
-fn is_buried(
-    cloud: &Cloud<2, 3>,
-    walls: &[Wall<2>],
-    time: f64,
-    (nodes, vertices): ([u32; 3], &[Vector<2>; 3]),
-    h: f64,
-) -> bool {
-    let middle = [0, 1].map(|k| vertices.iter().map(|x| x[k]).sum::<f64>() / 3.0);
-    let common = nodes.map(|node| cloud.contacts[node as usize]).into_iter().reduce(Contacts::common);
-    common.is_some_and(|common| common.iter().any(|wall| walls[wall].gap(&middle, time) < -BURIED * h))
 }
 
 /// Whether a side of the triangle borders on void.
