@@ -6,7 +6,16 @@ use super::trial::{AT_REST, Effort, GRAVITY, Kind, MOVING, Trial};
 
 /// All of them.
 pub fn trials(effort: Effort) -> Vec<Trial> {
-    [courant(effort), clouds(), impacts(effort), flights(effort), bubbles(effort), emptied(effort), refusals()].concat()
+    [
+        courant(effort),
+        clouds(),
+        impacts(effort),
+        flights(effort),
+        bubbles(effort),
+        emptied(effort),
+        refusals(),
+    ]
+    .concat()
 }
 
 fn trial(

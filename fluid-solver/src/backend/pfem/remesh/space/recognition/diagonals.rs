@@ -12,6 +12,8 @@ use crate::element::simplex::{longest_edge, volume_and_areas};
 
 /// A new cell has at least this share of the volume of a regular one of the same longest edge.
 const THINNEST: f64 = 0.05;
+/// Valleys with less than this share of it are left filled, as slivers of the surface are shed: neither is worth bad cells.
+const SHALLOWEST: f64 = 0.01;
 /// Edges with more cells around them stay.
 const MOST: usize = 6;
 
@@ -51,7 +53,7 @@ impl Diagonals {
         }
     }
 
-    /// Takes another diagonal at an edge of a face of the new surface, if the moved one had it; whether it did.
+    /// Empties the valley at an edge of a face of the new surface, if the moved one had one there; whether it did.
     fn turn(&mut self, cloud: &mut Cloud<3, 4>, faces: &Faces, cell: usize, opposite: usize) -> bool {
         let face = OUTWARD[opposite].map(|k| cloud.cells[cell][k]);
         if faces.side(face) == Some(true) {
@@ -59,15 +61,17 @@ impl Diagonals {
         }
         (0..3).any(|k| {
             let [c, d, a] = [0, 1, 2].map(|i| face[(k + i) % 3]);
-            self.fan.walk(cloud, [c, d, a], cell as u32)
-                && {
-                    let b = self.fan.ring[self.fan.ring.len() - 1];
-                    faces.side([a, c, b]) == Some(true)
-                        && faces.side([a, b, d]) == Some(true)
-                        && faces.side([d, c, b]) != Some(true)
-                }
-                && self.choose(cloud)
-                && self.replace(cloud)
+            if !self.fan.walk(cloud, [c, d, a], cell as u32) {
+                return false;
+            }
+            let b = self.fan.ring[self.fan.ring.len() - 1];
+            let of_surface = |face| faces.side(face) == Some(true);
+            let torn = of_surface([a, c, b]) && of_surface([a, b, d]) && !of_surface([d, c, b]);
+            let turns = torn && fullness(cloud, &[a, c, b, d]) > SHALLOWEST && self.choose(cloud);
+            if turns {
+                self.replace(cloud);
+            }
+            turns
         })
     }
 
@@ -78,11 +82,7 @@ impl Diagonals {
         best.clear();
         for apex in 0..fan.ring.len() {
             fan.cells_from(apex, made);
-            let fullness = |cell: &[u32; 4]| {
-                let vertices = cloud.vertices(cell);
-                volume_and_areas(&vertices).0 / (regular_volume(3) * longest_edge(&vertices).powi(3))
-            };
-            let thinnest = made.iter().map(fullness).fold(f64::INFINITY, f64::min);
+            let thinnest = made.iter().map(|cell| fullness(cloud, cell)).fold(f64::INFINITY, f64::min);
             if thinnest > fullest {
                 fullest = thinnest;
                 std::mem::swap(made, best);
@@ -92,7 +92,7 @@ impl Diagonals {
     }
 
     /// Puts the chosen cells in the place of those of the fan.
-    fn replace(&mut self, cloud: &mut Cloud<3, 4>) -> bool {
+    fn replace(&mut self, cloud: &mut Cloud<3, 4>) {
         let Self { fan, best, rim, indices, .. } = self;
         rim.clear();
         for &cell in &fan.cells {
@@ -124,7 +124,6 @@ impl Diagonals {
                 }
             }
         }
-        true
     }
 }
 
@@ -158,6 +157,12 @@ impl Fan {
             cells.extend([[p, q, r, c], [p, r, q, d]]);
         }
     }
+}
+
+/// Volume of a cell as a share of that of a regular one of the same longest edge.
+fn fullness(cloud: &Cloud<3, 4>, cell: &[u32; 4]) -> f64 {
+    let vertices = cloud.vertices(cell);
+    volume_and_areas(&vertices).0 / (regular_volume(3) * longest_edge(&vertices).powi(3))
 }
 
 fn ascending(mut face: [u32; 3]) -> [u32; 3] {

@@ -102,7 +102,13 @@ mod tests {
         faces.read(&[[3, 1, 2], [5, 6, 7], [7, 6, 5], [1, 2, 9]]);
         assert_eq!([[1, 2, 3], [2, 1, 3]].map(|face| faces.meet(face)), [Some(true), Some(false)]);
         assert_eq!([[5, 6, 7], [1, 2, 4]].map(|face| faces.meet(face)), [None, None]);
-        assert_eq!([[1, 2, 9], [1, 2, 3], [5, 6, 7]].map(|face| faces.is_missing(face)), [true, false, false]);
-        assert_eq!([[9, 1, 2], [2, 1, 9], [1, 2, 4]].map(|face| faces.side(face)), [Some(true), Some(false), None]);
+        assert_eq!(
+            [[1, 2, 9], [1, 2, 3], [5, 6, 7]].map(|face| faces.is_missing(face)),
+            [true, false, false]
+        );
+        assert_eq!(
+            [[9, 1, 2], [2, 1, 9], [1, 2, 4]].map(|face| faces.side(face)),
+            [Some(true), Some(false), None]
+        );
     }
 }

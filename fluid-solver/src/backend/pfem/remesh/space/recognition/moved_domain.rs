@@ -134,7 +134,8 @@ impl MovedDomain {
     fn look_for_other_diagonals(&mut self, cloud: &Cloud<3, 4>, tetrahedra: &Tetrahedra) {
         self.mark_loose(cloud);
         let cells = &tetrahedra.made.cells;
-        let loose = |corners: &[u32; 4], node: &[bool]| corners.iter().filter(|n| node[**n as usize]).count() >= 3;
+        let loose =
+            |corners: &[u32; 4], node: &[bool]| corners.iter().filter(|n| node[**n as usize]).count() >= 3;
         self.piece.clear();
         self.piece.extend((0..cells.len()).filter(|&cell| loose(&cells[cell], &self.loose)));
         let faces = self.piece.iter().flat_map(|&cell| OUTWARD.map(|face| face.map(|k| cells[cell][k])));

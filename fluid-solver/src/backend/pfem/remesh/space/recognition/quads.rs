@@ -109,7 +109,10 @@ mod tests {
         let mut missing = faces.to_vec();
         quads.turn(&cloud, &mut missing, [[2, 3, 0], [1, 2, 3]].into_iter());
         assert_eq!(missing, [[4, 1, 3]]);
-        assert_eq!([[3, 2, 0], [2, 3, 0], [3, 2, 1], [2, 3, 1]].map(|face| quads.side(face)), [Some(true), Some(false), Some(false), Some(true)]);
+        assert_eq!(
+            [[3, 2, 0], [2, 3, 0], [3, 2, 1], [2, 3, 1]].map(|face| quads.side(face)),
+            [Some(true), Some(false), Some(false), Some(true)]
+        );
         quads.clear();
         let mut missing = faces.to_vec();
         quads.turn(&cloud, &mut missing, [[2, 3, 0]].into_iter());
