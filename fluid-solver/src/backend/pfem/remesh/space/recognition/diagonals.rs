@@ -1,8 +1,8 @@
 //! Edges of the moved surface that the new cells lack are put back.
 //!
-//! Where two faces of the surface turn inwards at their edge ab, Delaunay's cells often have the other diagonal cd of the four
-//! corners instead: the valley is filled with the tetrahedron abcd. The fluid cells around cd are then made cells around ab,
-//! and nothing is gained.
+//! Where two faces of the surface meet at an edge ab, Delaunay's cells often have the other diagonal cd of the four corners
+//! instead: a valley is filled with the tetrahedron abcd, a ridge is cut off by it. The fluid cells around cd are then made
+//! cells around ab, and nothing is gained or lost.
 
 use super::super::surface::OUTWARD;
 use super::faces::Faces;
@@ -12,7 +12,7 @@ use crate::element::simplex::{longest_edge, volume_and_areas};
 
 /// A new cell has at least this share of the volume of a regular one of the same longest edge.
 const THINNEST: f64 = 0.05;
-/// Valleys with less than this share of it are left filled, as slivers of the surface are shed: neither is worth bad cells.
+/// Tetrahedra abcd with less than this share of it are not worth bad cells: slivers of the surface are shed, too.
 const SHALLOWEST: f64 = 0.01;
 /// Edges with more cells around them stay.
 const MOST: usize = 6;
@@ -53,7 +53,7 @@ impl Diagonals {
         }
     }
 
-    /// Empties the valley at an edge of a face of the new surface, if the moved one had one there; whether it did.
+    /// Takes the other diagonal at an edge of a face of the new surface, if the moved one had it; whether it did.
     fn turn(&mut self, cloud: &mut Cloud<3, 4>, faces: &Faces, cell: usize, opposite: usize) -> bool {
         let face = OUTWARD[opposite].map(|k| cloud.cells[cell][k]);
         if faces.side(face) == Some(true) {
@@ -67,7 +67,7 @@ impl Diagonals {
             let b = self.fan.ring[self.fan.ring.len() - 1];
             let of_surface = |face| faces.side(face) == Some(true);
             let torn = of_surface([a, c, b]) && of_surface([a, b, d]) && !of_surface([d, c, b]);
-            let turns = torn && fullness(cloud, &[a, c, b, d]) > SHALLOWEST && self.choose(cloud);
+            let turns = torn && fullness(cloud, &[a, c, b, d]).abs() > SHALLOWEST && self.choose(cloud);
             if turns {
                 self.replace(cloud);
             }
