@@ -65,8 +65,8 @@ impl Diagonals {
                 return false;
             }
             let b = self.fan.ring[self.fan.ring.len() - 1];
-            let of_surface = |face| faces.side(face) == Some(true);
-            let torn = of_surface([a, c, b]) && of_surface([a, b, d]) && !of_surface([d, c, b]);
+            let lacks = |face| faces.side(face) == Some(true) && faces.is_missing(face);
+            let torn = lacks([a, c, b]) && lacks([a, b, d]) && faces.side([d, c, b]) != Some(true);
             let turns = torn && fullness(cloud, &[a, c, b, d]).abs() > SHALLOWEST && self.choose(cloud);
             if turns {
                 self.replace(cloud);
