@@ -33,7 +33,7 @@ mod tangent;
 mod topology;
 mod velocity;
 
-pub(super) use cell::{fullness, regular_volume};
+pub(super) use cell::fullness;
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
 pub use scheme::Scheme;

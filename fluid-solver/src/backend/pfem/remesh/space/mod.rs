@@ -97,10 +97,7 @@ impl Renewal<3, 4> for SpaceRemesher {
             self.recogniser.recognise(self.recognition, cloud, draft, tetrahedra);
             spent.recognition += clock.lap();
             settled = self.patches.settle(cloud, draft, tetrahedra, (walls, time), book, &mut events);
-            tetrahedra.take(cloud);
-            self.recogniser.restore_edges(self.recognition, cloud);
-            draft.edges.clear();
-            draft.compact(cloud);
+            tetrahedra.take(cloud, draft);
             spent.settling += clock.lap();
         }
         book.cells = volumes(cloud, cell_volumes, node_volumes);
