@@ -265,7 +265,8 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         let Setting { walls, size, response, acceleration, medium, .. } = &mut self.setting;
         size.see_grains(self.grains.void_fraction());
         let work = solution.reaction.iter().zip(&solution.velocity).map(|(force, v)| dot(force, v));
-        self.state.given += step.length * work.sum::<f64>();
+        // What friction turns into heat walls did not give.
+        self.state.given += step.length * (work.sum::<f64>() + solution.friction);
         self.residuals = solution.residuals;
         let passed = self.gates.advance(&mut self.state.cloud, walls, step, &solution, acceleration);
         self.state.pass(&passed, medium.density);

@@ -2,6 +2,7 @@
 
 use super::chunks::for_each;
 use super::constraint::Constraint;
+use super::contact::moved;
 use super::nodal::{Assembly, Fields, Part};
 use super::suspended::Suspended;
 use super::topology::Topology;
@@ -20,6 +21,8 @@ pub struct StepOperator<'a, const D: usize, const N: usize> {
     pub scale: f64,
     /// The grains, if any.
     pub grains: Option<Suspended<'a, D, N>>,
+    /// What walls resist v with (kg/s).
+    pub friction: &'a [f64],
     pub scratch: RefCell<Scratch<'a, D, N>>,
 }
 
@@ -60,6 +63,8 @@ impl<const D: usize, const N: usize> StepOperator<'_, D, N> {
         let fields =
             Fields { velocity: v, pressure: p, excess, bulk, part: Part::Linear, grains: self.grains };
         assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
+        let friction = self.friction;
+        for_each(momentum, |node, row| *row = moved(row, friction[node], &v[node]));
     }
 
     /// Keeps the free rows and scales those of volume.

@@ -32,10 +32,12 @@ mod suspended;
 mod tangent;
 mod topology;
 mod velocity;
+mod wall_function;
 
 pub(super) use cell::fullness;
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
+pub use wall_function::wall_stress;
 pub use scheme::Scheme;
 pub use setting::{Control, Fluid, Forces};
 pub use solution::{FlowSolution, Residuals};

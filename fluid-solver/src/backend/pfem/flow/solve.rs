@@ -12,6 +12,7 @@ use super::setting::{Control, Fluid, Forces};
 use super::solution::{FlowSolution, Residuals};
 use super::suspended::Suspended;
 use super::topology::Topology;
+use super::wall_function::Friction;
 use crate::backend::Step;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
@@ -67,6 +68,7 @@ pub struct Flow<const D: usize, const N: usize> {
     mesh: Option<(Topology<N>, Preconditioning<D>)>,
     pub(super) assembly: Assembly<D, N>,
     pub(super) contact: Contact<D>,
+    pub(super) friction: Friction<D>,
     pub(super) excess: Vec<Vector<D>>,
     pub(super) projected: Projected<D>,
     pub(super) porous: Vec<Porous<D, N>>,
@@ -96,6 +98,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             mesh: None,
             assembly: Assembly::default(),
             contact: Contact::default(),
+            friction: Friction::default(),
             excess: Vec::new(),
             projected: Projected::default(),
             porous: Vec::new(),
@@ -162,6 +165,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         }
         self.assembly.begin(cloud.cells.len(), &self.fluid.rheology);
         self.contact.begin(cloud);
+        self.friction.begin(cloud, walls, step);
         self.project(start, &mut mesh)?;
         let (mut velocity, mut pressure) = (self.projected.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
@@ -202,7 +206,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
             let implicitness = self.implicitness;
-            let Self { assembly, excess, porous, contact, right, increment, rows, scheme, .. } = self;
+            let Self { assembly, excess, porous, contact, friction, right, increment, rows, scheme, .. } = self;
             let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
@@ -211,6 +215,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 compressibility,
                 scale,
                 grains,
+                friction: &friction.resistance,
                 scratch: RefCell::new(krylov::Scratch { assembly, excess }),
             };
             right.copy_from_slice(rows);
