@@ -100,7 +100,7 @@ fn a_boundary_that_is_no_plane_is_refused_with_what_to_do() {
         "fluid.boundary[1].kind",
         &[
             "backend \"pfem\" has no kind \"moving-wall\"",
-            "allowed: no-slip, slip, inlet, outlet, free-surface",
+            "allowed: no-slip, slip, wall-function, inlet, outlet, free-surface",
         ],
     );
     let scene = Scene::tank().with("[\"x-min\", \"y-min\"]", "[\"x-min\", \"x-max\", \"y-min\", \"y-max\"]");

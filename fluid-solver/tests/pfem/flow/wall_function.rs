@@ -25,14 +25,14 @@ fn sliding<const D: usize, const N: usize>(speed: f64) {
     cloud.velocity.iter_mut().for_each(|v| v[0] = speed);
     let walls = [floor()];
     touch(&mut cloud, &walls);
-    let step = Step { time: 0.0, length: 1e-6 };
+    let step = Step { time: 0.0, length: 1e-5 };
     let solution = flow(WATER, 1e-12).solve(&cloud, &walls, step, &nothing()).unwrap();
     let expected = wall_stress(WATER.density, 1e-3, 0.05, speed) * 0.1f64.powi(D as i32 - 1);
     let inside = |x: &[f64; D]| x[D - 1] == 0.0 && x[..D - 1].iter().all(|x| (0.05..0.45).contains(x));
     let felt = cloud.place.iter().zip(&solution.reaction).filter(|(x, _)| inside(x));
     let felt: Vec<f64> = felt.map(|(_, force)| -force[0]).collect();
     assert_eq!(felt.len(), 4usize.pow(D as u32 - 1));
-    assert!(felt.iter().all(|force| (force / expected - 1.0).abs() < 1e-5), "{felt:?} against {expected}");
+    assert!(felt.iter().all(|force| (force / expected - 1.0).abs() < 1e-4), "{felt:?} against {expected}");
 }
 
 #[test]
@@ -92,13 +92,13 @@ fn what_a_floor_at_rest_takes_of_the_energy_is_the_heat_of_its_friction() {
 
 #[test]
 fn a_floor_that_moves_takes_the_fluid_along_and_never_past_it() {
-    let mut cloud = block::<3, 4>([0.1, 0.1, 0.001], [4, 4, 1], 0.0);
+    let mut cloud = block::<3, 4>([0.1, 0.1, 0.02], [5, 5, 1], 0.0);
     let walls = [floor::<3>().moving(Motion::translation([2.0, 0.0, 0.0]))];
     touch(&mut cloud, &walls);
-    let honey = newtonian(1000.0, 10.0);
-    // A step is fifty times what the film takes to follow.
-    advance(&mut flow(honey, 1e-10), &mut cloud, &walls, &nothing(), 1e-3, 0..3, |cloud, _| {
-        assert!(cloud.velocity.iter().all(|v| v[0] > 0.0 && v[0] <= 2.0 + 1e-9), "{:?}", cloud.velocity[0]);
+    let honey = newtonian(1000.0, 40.0);
+    // A step is four times what the layer on the floor takes to follow.
+    advance(&mut flow(honey, 1e-10), &mut cloud, &walls, &nothing(), 5e-3, 0..5, |cloud, _| {
+        assert!(cloud.velocity.iter().all(|v| v[0] > 0.0 && v[0] <= 2.0 + 1e-9), "{:?}", cloud.velocity);
     });
-    assert!(cloud.velocity.iter().all(|v| v[0] > 1.5), "{:?}", cloud.velocity);
+    assert!(cloud.velocity.iter().all(|v| v[0] > 1.0), "{:?}", cloud.velocity);
 }

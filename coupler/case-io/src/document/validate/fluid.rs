@@ -123,7 +123,12 @@ fn boundary(fluid: &Fluid, boundary: &Boundary, index: usize, rules: &Rules) -> 
     if moves && kind == BoundaryKind::MovingWall {
         let found = format!("backend \"pfem\" has no kind \"{word}\"");
         let advice = "state a wall that moves as [[wall]] with motion";
-        return rules.refuse(&key("kind"), found, "no-slip, slip, wall-function, inlet, outlet, free-surface", advice);
+        return rules.refuse(
+            &key("kind"),
+            found,
+            "no-slip, slip, wall-function, inlet, outlet, free-surface",
+            advice,
+        );
     }
     let only_moving = match kind {
         BoundaryKind::FreeSurface => Some("stays where it is and has no free surface"),
@@ -300,6 +305,11 @@ mod tests {
                     "\"no-slip\"",
                     "\"no-slip\"\nspeed = \"1 m/s\"",
                     "case.toml:16: fluid.boundary[0].speed: has no effect with kind = \"no-slip\"; delete it",
+                ),
+                (
+                    "\"no-slip\"",
+                    "\"wall-function\"",
+                    "case.toml:15: fluid.boundary[0].kind: the mesh of backend \"eulerian\" has no law of the wall; allowed: no-slip, slip, inlet, outlet, moving-wall; set backend = \"pfem\"",
                 ),
                 (
                     "\"no-slip\"",

@@ -2,10 +2,10 @@
 
 use super::chunks::for_each;
 use super::constraint::Constraint;
-use super::contact::moved;
 use super::nodal::{Assembly, Fields, Part};
 use super::suspended::Suspended;
 use super::topology::Topology;
+use super::wall_function::Friction;
 use crate::element::simplex::Vector;
 use linear::{LinearOperator, dense, vector};
 use std::cell::RefCell;
@@ -21,8 +21,8 @@ pub struct StepOperator<'a, const D: usize, const N: usize> {
     pub scale: f64,
     /// The grains, if any.
     pub grains: Option<Suspended<'a, D, N>>,
-    /// What walls resist v with (kg/s).
-    pub friction: &'a [f64],
+    /// That of walls.
+    pub friction: &'a Friction<D>,
     pub scratch: RefCell<Scratch<'a, D, N>>,
 }
 
@@ -63,8 +63,7 @@ impl<const D: usize, const N: usize> StepOperator<'_, D, N> {
         let fields =
             Fields { velocity: v, pressure: p, excess, bulk, part: Part::Linear, grains: self.grains };
         assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
-        let friction = self.friction;
-        for_each(momentum, |node, row| *row = moved(row, friction[node], &v[node]));
+        self.friction.add_change(v, momentum);
     }
 
     /// Keeps the free rows and scales those of volume.

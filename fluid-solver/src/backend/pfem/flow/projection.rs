@@ -53,7 +53,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let rheology = &self.fluid.rheology;
         self.assembly.place(topology, |node| cloud.place[node], velocity, inertia, rheology);
         let constraints = &self.contact.constraints;
-        let rates = Rates { inertia, compressibility: 0.0, mobility: None };
+        let rates = Rates { inertia, compressibility: 0.0, mobility: None, friction: &self.friction };
         preconditioning.refresh(cloud, topology, &self.assembly, constraints, rates, None)?;
 
         divergence.resize(nodes, 0.0);

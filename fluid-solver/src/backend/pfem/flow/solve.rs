@@ -166,6 +166,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         self.assembly.begin(cloud.cells.len(), &self.fluid.rheology);
         self.contact.begin(cloud);
         self.friction.begin(cloud, walls, step);
+        self.friction.evaluate(&self.fluid, self.implicitness, &cloud.velocity, &cloud.velocity);
         self.project(start, &mut mesh)?;
         let (mut velocity, mut pressure) = (self.projected.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
@@ -206,7 +207,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
             let implicitness = self.implicitness;
-            let Self { assembly, excess, porous, contact, friction, right, increment, rows, scheme, .. } = self;
+            let Self { assembly, excess, porous, contact, friction, right, increment, rows, scheme, .. } =
+                self;
             let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
@@ -215,7 +217,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 compressibility,
                 scale,
                 grains,
-                friction: &friction.resistance,
+                friction,
                 scratch: RefCell::new(krylov::Scratch { assembly, excess }),
             };
             right.copy_from_slice(rows);
@@ -248,7 +250,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             }
             if is_plastic || passes == 0 && !projects {
                 let assembly = &operator.scratch.borrow().assembly;
-                let rates = Rates { inertia, compressibility, mobility: scheme.mobility() };
+                let rates = Rates { inertia, compressibility, mobility: scheme.mobility(), friction };
                 preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;
             }
             progress.iterations += scheme.correct(&iterate, &operator, preconditioning, right, increment);
