@@ -9,7 +9,7 @@ use super::renewal::Renewal;
 use super::seats::seat;
 use super::state::State;
 use super::wall::Wall;
-use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Step};
+use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Stages, Step};
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
 use crate::grains::{Medium, Spreading};
@@ -289,6 +289,10 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
 
     fn statistics(&self, _time: f64) -> Vec<(&'static str, f64)> {
         super::output::statistics(&self.state, &self.setting, &self.grains, self.residuals)
+    }
+
+    fn stages(&self) -> Stages {
+        [self.flow.spent(), self.renewal.spent().stages()].into_iter().sum()
     }
 
     fn counters(&self) -> Vec<(String, u64)> {

@@ -12,10 +12,11 @@ use super::setting::{Control, Fluid, Forces};
 use super::solution::{FlowSolution, Residuals};
 use super::suspended::Suspended;
 use super::topology::Topology;
-use crate::backend::Step;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
+use crate::backend::{Stages, Step};
 use crate::element::simplex::Vector;
+use interface::usage::ThreadClock;
 use linear::vector;
 use std::cell::RefCell;
 
@@ -76,6 +77,7 @@ pub struct Flow<const D: usize, const N: usize> {
     pub(super) right: Vec<f64>,
     increment: Vec<f64>,
     pub(super) scheme: Box<dyn Correct<D, N>>,
+    pub(super) spent: Stages,
 }
 
 /// How far a solution has come.
@@ -103,12 +105,18 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             right: Vec::new(),
             increment: Vec::new(),
             scheme: control.scheme.solver(),
+            spent: Stages::default(),
         }
     }
 
     /// The fluid.
     pub fn fluid(&self) -> &Fluid {
         &self.fluid
+    }
+
+    /// Where the time went.
+    pub fn spent(&self) -> Stages {
+        self.spent
     }
 
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
@@ -192,6 +200,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let (mut progress, mut target, mut limit) = (Progress::default(), 0.0, 0.0);
         let (mut change, mut met) = (f64::INFINITY, 0);
         let projects = self.projects(start);
+        let mut clock = ThreadClock::start();
         loop {
             self.contact.constrain(cloud, walls, step, velocity);
             for (v, constraint) in velocity.iter_mut().zip(&self.contact.constraints) {
@@ -202,7 +211,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
             let implicitness = self.implicitness;
-            let Self { assembly, excess, porous, contact, right, increment, rows, scheme, .. } = self;
+            let Self { assembly, excess, porous, contact, right, increment, rows, scheme, spent, .. } = self;
             let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
@@ -241,6 +250,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                     return Err(FlowFault::NotConverged { time, passes, iterations, residual: norm, target });
                 }
             }
+            spent.assembly += clock.lap();
             if is_plastic || passes == 0 && !projects {
                 let assembly = &operator.scratch.borrow().assembly;
                 let rates = Rates { inertia, compressibility, mobility: scheme.mobility() };
@@ -248,6 +258,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             }
             progress.iterations += scheme.correct(&iterate, &operator, preconditioning, right, increment);
             progress.passes += 1;
+            spent.solve += clock.lap();
             let (dv, dp) = split::<D>(increment);
             operator.scratch.borrow_mut().assembly.advance(topology, velocity, dv);
             vector::axpy(1.0, dv.as_flattened(), velocity.as_flattened_mut());
