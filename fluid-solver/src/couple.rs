@@ -208,6 +208,8 @@ impl Participant for FluidParticipant {
 
     fn stop(&mut self, _reason: &str) -> Usage {
         let parts = PARTS.iter().zip(self.seconds).map(|(name, seconds)| (name.to_string(), seconds));
-        Usage { parts: parts.collect(), counters: self.backend.counters(), ..own_usage() }
+        let audits =
+            self.backend.audits().into_iter().map(|(name, value)| (name.to_string(), value)).collect();
+        Usage { parts: parts.collect(), counters: self.backend.counters(), audits, ..own_usage() }
     }
 }

@@ -151,6 +151,11 @@ pub trait FluidBackend: Send {
         Stages::default()
     }
 
+    /// What was gained and lost, by what did it: name with unit, value; for the summary.
+    fn audits(&self) -> Vec<(&'static str, f64)> {
+        Vec::new()
+    }
+
     /// How often something happened, for the summary.
     fn counters(&self) -> Vec<(String, u64)> {
         Vec::new()

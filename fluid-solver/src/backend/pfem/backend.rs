@@ -102,6 +102,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
             seat(cloud, &self.grains.positions().collect::<Vec<_>>(), &sizes);
         }
         counts.add(&self.renewal.remesh(cloud, walls, time, size, books)?);
+        books.volume.largest_error = books.volume.largest_error.max(books.volume.error().abs());
         self.grains.begin(cloud)?;
         self.grains.keep_momentum(cloud, momentum);
         Ok(())
@@ -293,6 +294,10 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
 
     fn stages(&self) -> Stages {
         [self.flow.spent(), self.renewal.spent().stages()].into_iter().sum()
+    }
+
+    fn audits(&self) -> Vec<(&'static str, f64)> {
+        super::output::audits(&self.state, &self.setting, &self.grains)
     }
 
     fn counters(&self) -> Vec<(String, u64)> {

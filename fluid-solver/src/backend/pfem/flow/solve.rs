@@ -15,7 +15,7 @@ use super::topology::Topology;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
 use crate::backend::{Stages, Step};
-use crate::element::simplex::Vector;
+use crate::element::simplex::{Vector, dot};
 use interface::usage::ThreadClock;
 use linear::vector;
 use std::cell::RefCell;
@@ -247,7 +247,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 Verdict::Again => {}
                 Verdict::Failed => {
                     let (time, target) = (step.time, allowed);
-                    return Err(FlowFault::NotConverged { time, passes, iterations, residual: norm, target });
+                    let place = cloud.place[worst::<D>(right)].to_vec();
+                    return Err(FlowFault::NotConverged {
+                        time,
+                        passes,
+                        iterations,
+                        residual: norm,
+                        target,
+                        place,
+                    });
                 }
             }
             spent.assembly += clock.lap();
@@ -279,6 +287,13 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     pub(super) fn compressibility(&self, step: Step) -> f64 {
         self.fluid.bulk_modulus.map_or(0.0, |modulus| 1.0 / (modulus * step.length))
     }
+}
+
+/// The node with the largest force in these rows.
+fn worst<const D: usize>(rows: &[f64]) -> usize {
+    let (forces, _) = split::<D>(rows);
+    let sizes = forces.iter().map(|force| dot(force, force)).enumerate();
+    sizes.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(node, _)| node)
 }
 
 /// The first row that is not finite.

@@ -141,7 +141,8 @@ impl Remesher<2, 3> {
         transfer::keep_momentum(cloud, &self.draft.mass, momentum, &self.node_volumes);
         if events.impact() {
             let surplus = kinetic_energy(cloud, &self.cell_volumes) - energy_before.kinetic;
-            transfer::take_surplus(cloud, &self.draft.mass, &self.node_volumes, surplus);
+            let taken = transfer::take_surplus(cloud, &self.draft.mass, &self.node_volumes, surplus);
+            books.energy.blows.add(-taken);
         }
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));

@@ -109,7 +109,8 @@ impl Renewal<3, 4> for SpaceRemesher {
         transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);
         if events.impact() {
             let surplus = kinetic_energy(cloud, cell_volumes) - energy_before.kinetic;
-            transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
+            let taken = transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
+            books.energy.blows.add(-taken);
         }
         books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
         cloud.relieve_drops();
