@@ -13,10 +13,11 @@ use super::solution::{FlowSolution, Residuals};
 use super::suspended::Suspended;
 use super::topology::Topology;
 use super::wall_function::Friction;
-use crate::backend::Step;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
-use crate::element::simplex::Vector;
+use crate::backend::{Stages, Step};
+use crate::element::simplex::{Vector, dot};
+use interface::usage::ThreadClock;
 use linear::vector;
 use std::cell::RefCell;
 
@@ -78,6 +79,7 @@ pub struct Flow<const D: usize, const N: usize> {
     pub(super) right: Vec<f64>,
     increment: Vec<f64>,
     pub(super) scheme: Box<dyn Correct<D, N>>,
+    pub(super) spent: Stages,
 }
 
 /// How far a solution has come.
@@ -106,12 +108,18 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             right: Vec::new(),
             increment: Vec::new(),
             scheme: control.scheme.solver(),
+            spent: Stages::default(),
         }
     }
 
     /// The fluid.
     pub fn fluid(&self) -> &Fluid {
         &self.fluid
+    }
+
+    /// Where the time went.
+    pub fn spent(&self) -> Stages {
+        self.spent
     }
 
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
@@ -197,6 +205,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let (mut progress, mut target, mut limit) = (Progress::default(), 0.0, 0.0);
         let (mut change, mut met) = (f64::INFINITY, 0);
         let projects = self.projects(start);
+        let mut clock = ThreadClock::start();
         loop {
             self.contact.constrain(cloud, walls, step, velocity);
             for (v, constraint) in velocity.iter_mut().zip(&self.contact.constraints) {
@@ -207,8 +216,19 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
             let implicitness = self.implicitness;
-            let Self { assembly, excess, porous, contact, friction, right, increment, rows, scheme, .. } =
-                self;
+            let Self {
+                assembly,
+                excess,
+                porous,
+                contact,
+                friction,
+                right,
+                increment,
+                rows,
+                scheme,
+                spent,
+                ..
+            } = self;
             let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
@@ -245,9 +265,18 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 Verdict::Again => {}
                 Verdict::Failed => {
                     let (time, target) = (step.time, allowed);
-                    return Err(FlowFault::NotConverged { time, passes, iterations, residual: norm, target });
+                    let place = cloud.place[worst::<D>(right)].to_vec();
+                    return Err(FlowFault::NotConverged {
+                        time,
+                        passes,
+                        iterations,
+                        residual: norm,
+                        target,
+                        place,
+                    });
                 }
             }
+            spent.assembly += clock.lap();
             if is_plastic || passes == 0 && !projects {
                 let assembly = &operator.scratch.borrow().assembly;
                 let rates = Rates { inertia, compressibility, mobility: scheme.mobility(), friction };
@@ -255,6 +284,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             }
             progress.iterations += scheme.correct(&iterate, &operator, preconditioning, right, increment);
             progress.passes += 1;
+            spent.solve += clock.lap();
             let (dv, dp) = split::<D>(increment);
             operator.scratch.borrow_mut().assembly.advance(topology, velocity, dv);
             vector::axpy(1.0, dv.as_flattened(), velocity.as_flattened_mut());
@@ -275,6 +305,13 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     pub(super) fn compressibility(&self, step: Step) -> f64 {
         self.fluid.bulk_modulus.map_or(0.0, |modulus| 1.0 / (modulus * step.length))
     }
+}
+
+/// The node with the largest force in these rows.
+fn worst<const D: usize>(rows: &[f64]) -> usize {
+    let (forces, _) = split::<D>(rows);
+    let sizes = forces.iter().map(|force| dot(force, force)).enumerate();
+    sizes.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(node, _)| node)
 }
 
 /// The first row that is not finite.
