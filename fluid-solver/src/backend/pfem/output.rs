@@ -22,10 +22,9 @@ pub fn statistics<const D: usize, const N: usize>(
     const REACH: [[&str; 2]; 3] =
         [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
     let (cloud, books, depth) = (&state.cloud, &state.books.volume, setting.depth);
-    let (kinetic, potential) =
-        state.energies(setting.medium.density, &setting.acceleration, grains.void_fraction());
+    let (kinetic, potential) = state.energies(setting.density, &setting.acceleration, grains.void_fraction());
     let remeshing = &state.books.energy;
-    let by_remeshing = setting.medium.density
+    let by_remeshing = setting.density
         * (remeshing.kinetic.sum
             - (0..D).map(|k| setting.acceleration[k] * remeshing.moment[k].sum).sum::<f64>());
     let volume = books.cells + books.drops;
@@ -53,12 +52,12 @@ pub fn statistics<const D: usize, const N: usize>(
     volumes(cloud, &mut cell_volumes, &mut mass);
     mass.iter_mut().zip(grains.void_fraction()).for_each(|(mass, void)| *mass *= void);
     let momentum = |k: usize| mass.iter().zip(&cloud.velocity).map(|(mass, v)| mass * v[k]).sum::<f64>();
-    found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.medium.density * momentum(k))));
+    found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.density * momentum(k))));
     const ENTERED: [&str; 3] =
         ["momentum-entered-x[kg m/s]", "momentum-entered-y[kg m/s]", "momentum-entered-z[kg m/s]"];
     const LEFT: [&str; 3] = ["momentum-left-x[kg m/s]", "momentum-left-y[kg m/s]", "momentum-left-z[kg m/s]"];
     for (names, amount) in [(ENTERED, &state.passed.entered), (LEFT, &state.passed.left)] {
-        found.extend((0..D).map(|k| (names[k], depth * setting.medium.density * amount.momentum[k])));
+        found.extend((0..D).map(|k| (names[k], depth * setting.density * amount.momentum[k])));
     }
     // A fluid without nodes has no extremes.
     let largest = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max).unwrap_or(0.0);

@@ -33,7 +33,7 @@ mod tangent;
 mod topology;
 mod velocity;
 
-pub(super) use cell::fullness;
+pub(super) use cell::viscosity;
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
 pub use scheme::Scheme;
