@@ -96,7 +96,7 @@ mod tests {
             &[(
                 "[fluid.mesh]",
                 MUD,
-                "case.toml:30: coupling.self-disturbance: found true, but a grain's own disturbance is known of one viscosity; allowed: false with [fluid.rheology]",
+                "case.toml:41: coupling.self-disturbance: found true, but a grain's own disturbance is known of one viscosity; allowed: false with [fluid.rheology]",
             )],
         );
     }
