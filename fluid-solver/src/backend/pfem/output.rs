@@ -21,7 +21,7 @@ pub fn audits<const D: usize, const N: usize>(
     let (kinetic, potential) = state.energies(density, &setting.acceleration, grains.void_fraction());
     let remeshing = &state.books.energy;
     let lifted: f64 = (0..D).map(|k| setting.acceleration[k] * remeshing.moment[k].sum).sum();
-    let by_remeshing = density * (remeshing.kinetic.sum - remeshing.blows.sum - lifted);
+    let by_remeshing = density * (remeshing.kinetic.sum - remeshing.limiter.sum - lifted);
     vec![
         ("volume[m^3]", depth * (books.cells + books.drops)),
         ("volume-error[-]", books.error()),
@@ -41,7 +41,7 @@ pub fn audits<const D: usize, const N: usize>(
         ("potential-energy[J]", depth * potential),
         ("energy[J]", depth * (kinetic + potential)),
         ("energy-by-remeshing[J]", depth * by_remeshing),
-        ("energy-by-blows[J]", depth * density * remeshing.blows.sum),
+        ("energy-by-limiter[J]", depth * density * remeshing.limiter.sum),
         ("energy-lost[J]", depth * (state.given - kinetic - potential)),
     ]
 }
