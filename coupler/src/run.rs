@@ -132,6 +132,7 @@ impl Story {
         let mut seconds = BTreeMap::new();
         let mut thrift = BTreeMap::new();
         let mut taken = BTreeMap::new();
+        let mut audits = BTreeMap::new();
         let mut peak_memory = own.peak_memory;
         for (who, usage) in self.usages {
             let computing: f64 = usage.parts.iter().map(|(_, wall)| wall).sum();
@@ -142,6 +143,7 @@ impl Story {
             }
             thrift.extend(usage.counters);
             taken.extend(usage.taken);
+            audits.extend(usage.audits);
             peak_memory += usage.peak_memory;
         }
         seconds.insert(
@@ -162,6 +164,7 @@ impl Story {
             peak_memory,
             thrift,
             taken,
+            audits,
             ledger: self.ledger,
             checks: Vec::new(),
         }

@@ -24,7 +24,9 @@ pub fn main() -> std::process::ExitCode {
         let abandon = Box::new(|| std::process::exit(i32::from(ExitCode::PeerDied.code())));
         take_part(part, shared_memory::join_as_dem(part.run_id()?, part.deadlines(), abandon)?)
     };
-    interface::solver::main(Who::Dem, participate, |command: Command| command.run().into())
+    interface::solver::main((Who::Dem, env!("CARGO_PKG_DESCRIPTION")), participate, |command: Command| {
+        command.run().into()
+    })
 }
 
 /// Sets up the grains of a case and serves the coupler over any transport.

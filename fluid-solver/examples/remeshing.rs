@@ -53,7 +53,7 @@ fn run(cells: usize, steps: usize) -> Result<(), Box<dyn std::error::Error + Sen
         nodes += cloud.place.len();
         remesher.remesh(&mut cloud, &walls, time, &TargetSize::Constant(h), &mut books)?;
         if step % STRETCH == 0 || step == steps {
-            let spent = remesher.spent;
+            let spent = remesher.spent();
             let each = |seconds: f64| 1e6 * seconds / nodes as f64;
             println!(
                 "{time:.4} {:>11} {:>8} {halved:>6} | {:.1}, {:.2} = {:.2} + {:.2} + {:.2} + {:.2} + {:.2}",

@@ -34,10 +34,10 @@ pub struct FluidParticipant {
     coupled: bool,
     window: Window,
     time: f64,
-    seconds: [f64; 3],
+    seconds: [f64; PARTS.len()],
 }
 
-const PARTS: [&str; 3] = ["project", "solve", "sample"];
+const PARTS: [&str; 4] = ["project", "solve", "sample", "commit"];
 
 impl FluidParticipant {
     /// A fluid at time 0; `coupled` if there are grains on the other side.
@@ -53,7 +53,7 @@ impl FluidParticipant {
         coupled: bool,
     ) -> FluidParticipant {
         let window = Window { number: 0, time: 0.0, step: 0.0, grains_changed: false };
-        let seconds = [0.0; 3];
+        let seconds = [0.0; PARTS.len()];
         FluidParticipant {
             backend,
             grains,
@@ -151,7 +151,9 @@ impl FluidParticipant {
 
     fn commit_window(&mut self, commit: &Commit) -> Result<Committed, FluidError> {
         let step = self.step();
+        let mut clock = Stopwatch::start();
         self.backend.commit(step)?;
+        self.seconds[3] += clock.lap();
         self.time = step.end();
         if commit.series {
             self.record.series(self.time, &*self.backend)?;
@@ -206,6 +208,8 @@ impl Participant for FluidParticipant {
 
     fn stop(&mut self, _reason: &str) -> Usage {
         let parts = PARTS.iter().zip(self.seconds).map(|(name, seconds)| (name.to_string(), seconds));
-        Usage { parts: parts.collect(), counters: self.backend.counters(), ..own_usage() }
+        let audits =
+            self.backend.audits().into_iter().map(|(name, value)| (name.to_string(), value)).collect();
+        Usage { parts: parts.collect(), counters: self.backend.counters(), audits, ..own_usage() }
     }
 }

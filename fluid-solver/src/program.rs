@@ -24,7 +24,9 @@ pub fn main() -> std::process::ExitCode {
         let abandon = Box::new(|| std::process::exit(i32::from(ExitCode::PeerDied.code())));
         take_part(part, shared_memory::join_as_fluid(part.run_id()?, part.deadlines(), abandon)?)
     };
-    interface::solver::main(Who::Fluid, participate, |command: Command| command.run().into())
+    interface::solver::main((Who::Fluid, env!("CARGO_PKG_DESCRIPTION")), participate, |command: Command| {
+        command.run().into()
+    })
 }
 
 /// Sets up the fluid of a case and serves the coupler over any transport.

@@ -91,6 +91,16 @@ fn an_empty_physical_group_is_refused() {
 }
 
 #[test]
+fn cells_that_are_to_be_larger_than_a_mesh_whose_nodes_move_are_refused() {
+    let scene = meshed()
+        .with_file("cube.msh", &mesh_text(&CELLS, &["sides"]))
+        .with("backend = \"eulerian\"", "backend = \"pfem\"\npfem.size = \"60 mm\"")
+        .with("kind = \"no-slip\"", "kind = \"free-surface\"");
+    let allowed = "at most the shortest edge of the box around the mesh, 3.000e-2 m";
+    assert_refused(&scene, "pfem.size", "fluid.pfem.size", &["6.000e-2 m", allowed]);
+}
+
+#[test]
 fn an_inverted_element_is_refused() {
     let mut cells = CELLS;
     cells[3].swap(1, 2);

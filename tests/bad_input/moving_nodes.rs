@@ -100,7 +100,7 @@ fn a_boundary_that_is_no_plane_is_refused_with_what_to_do() {
         "fluid.boundary[1].kind",
         &[
             "backend \"pfem\" has no kind \"moving-wall\"",
-            "allowed: no-slip, slip, inlet, outlet, free-surface",
+            "allowed: no-slip, slip, wall-function, inlet, outlet, free-surface",
         ],
     );
     let scene = Scene::tank().with("[\"x-min\", \"y-min\"]", "[\"x-min\", \"x-max\", \"y-min\", \"y-max\"]");
@@ -165,4 +165,7 @@ fn a_fluid_that_has_nowhere_to_go_ends_the_run_with_the_reason_and_its_last_stat
     );
     let out = scene.folder.join("out");
     assert!(out.join("summary.json").exists() && out.join("series/fluid.csv").exists());
+    assert!(ran.line().contains(" at ["), "where: {}", ran.line());
+    let last = std::fs::read_dir(out.join("restart")).unwrap().count();
+    assert!(last > 0, "a restart point of the last good state");
 }

@@ -1,11 +1,11 @@
-//! `dem-solver bench` on few grains: what its table claims to hold is there.
+//! `dem-solver bench` on few grains, `fluid-solver bench` on few cells: what their tables claim to hold is there.
 
 #[path = "../support/mod.rs"]
 mod support;
 
 use std::process::Command;
 
-use support::{DEM, Folder};
+use support::{DEM, FLUID, Folder};
 
 #[test]
 fn every_scene_asked_for_has_a_row_of_positive_rates() {
@@ -33,4 +33,32 @@ fn every_scene_asked_for_has_a_row_of_positive_rates() {
         assert!(row[9].parse::<f64>().unwrap() > 300.0, "a step moves places, motions and loads: {row:?}");
         assert!(row[4..8].iter().all(|rate| rate.parse::<f64>().unwrap() > 0.0), "{row:?}");
     }
+}
+
+#[test]
+fn error_falls_with_the_cells_and_the_stages_of_a_step_add_up_to_most_of_its_time() {
+    let folder = Folder::new();
+    let out = folder.join("bench");
+    let mut command = Command::new(FLUID);
+    command.args(["bench", "taylor-green", "--cells", "8,16", "--out"]).arg(&out);
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(out.join("bench.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let number = |row: &[&str], column: usize| row[column].parse::<f64>().unwrap();
+    for backend in ["eulerian", "pfem"] {
+        let rows: Vec<_> = rows.iter().filter(|row| row[1] == backend).collect();
+        assert_eq!(rows.len(), 6);
+        for (coarse, fine) in rows[..3].iter().zip(&rows[3..]) {
+            let order = (number(coarse, 5) / number(fine, 5)).log2();
+            assert!(order > 1.5, "{coarse:?} {fine:?}");
+        }
+        for row in rows {
+            let shares: Vec<f64> = (8..13).map(|column| number(row, column)).collect();
+            let sum: f64 = shares.iter().sum();
+            assert!((0.5..1.05).contains(&sum), "{row:?}");
+            assert!(shares.iter().take(3).all(|share| (*share > 0.0) == (backend == "pfem")), "{row:?}");
+        }
+    }
+    assert!(out.join("report.html").exists());
 }

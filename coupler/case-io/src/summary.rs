@@ -37,6 +37,9 @@ pub struct Summary {
     /// What that took away, by kind, with the unit in brackets.
     #[serde(default)]
     pub taken: BTreeMap<String, f64>,
+    /// What the fluid gained and lost, by what did it, at the end; with the unit in brackets.
+    #[serde(default)]
+    pub audits: BTreeMap<String, f64>,
     /// The largest residual of every ledger row.
     pub ledger: BTreeMap<String, LedgerMaximum>,
     /// The case's checks.
@@ -219,6 +222,7 @@ mod tests {
             peak_memory: 1 << 33,
             thrift: [("lists-reused".to_owned(), u64::MAX)].into(),
             taken: [("energy-taken-by-sleep[J]".to_owned(), 1.25e-17)].into(),
+            audits: [("volume-error-max[-]".to_owned(), -1.5e-3)].into(),
             ledger: [("momentum".to_owned(), LedgerMaximum { residual: 1e-17, tolerance: 1e-12 })].into(),
             checks: vec![Check {
                 name: "terminal velocity".to_owned(),

@@ -193,6 +193,8 @@ pub struct Usage {
     pub counters: Vec<(String, u64)>,
     /// What that took away, with the unit in brackets.
     pub taken: Vec<(String, f64)>,
+    /// What was gained and lost, by what did it, with the unit in brackets.
+    pub audits: Vec<(String, f64)>,
 }
 
 /// Why a participant cannot go on.

@@ -10,7 +10,7 @@ use std::process::{Command, ExitCode};
 
 /// One side of a coupled run; alone on a case without the other.
 #[derive(Parser)]
-#[command(version, about, arg_required_else_help = true)]
+#[command(version, arg_required_else_help = true)]
 struct Arguments<Own: Subcommand> {
     #[command(subcommand)]
     task: Task<Own>,
@@ -39,13 +39,14 @@ const COMMAND_LINE: u8 = 2;
 /// The coupler beside the solver cannot be started.
 const ENVIRONMENT: u8 = 5;
 
-/// Runs the command line of a solver, which may have subcommands of its `own`; returns the exit code.
+/// Runs the command line of a solver, which does what is said `about` it and may have subcommands of its `own`; returns
+/// the exit code.
 pub fn main<Own: Subcommand>(
-    who: Who,
+    (who, about): (Who, &'static str),
     participate: impl FnOnce(&Assignment) -> Result<(), InterfaceError>,
     own: impl FnOnce(Own) -> ExitCode,
 ) -> ExitCode {
-    let command = || Arguments::<Own>::command().name(who.name());
+    let command = || Arguments::<Own>::command().name(who.name()).about(about);
     let arguments =
         command().try_get_matches().and_then(|matches| Arguments::<Own>::from_arg_matches(&matches));
     match arguments {

@@ -3,6 +3,9 @@
 pub mod eulerian;
 pub mod imposed;
 pub mod pfem;
+mod stages;
+
+pub use stages::Stages;
 
 use crate::error::FluidError;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
@@ -141,6 +144,16 @@ pub trait FluidBackend: Send {
     /// Whether it has a free surface.
     fn has_surface(&self) -> bool {
         false
+    }
+
+    /// Where the time went; zeros of a backend that does not tell.
+    fn stages(&self) -> Stages {
+        Stages::default()
+    }
+
+    /// What was gained and lost, by what did it: name with unit, value; for the summary.
+    fn audits(&self) -> Vec<(&'static str, f64)> {
+        Vec::new()
     }
 
     /// How often something happened, for the summary.

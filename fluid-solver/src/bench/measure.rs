@@ -9,7 +9,7 @@ use interface::usage::own_usage;
 
 use super::error::BenchError;
 use super::scene::Scene;
-use crate::backend::{self, Attempt, FluidBackend, Step};
+use crate::backend::{self, Attempt, FluidBackend, Stages, Step};
 
 /// Points along each side of the box at which errors are taken.
 const POINTS: usize = 61;
@@ -30,8 +30,8 @@ pub struct Measured {
     pub error: f64,
     /// Processor time of all windows, set-up apart \[s\].
     pub seconds: f64,
-    /// Of these, what commits took: a mesh that moves is remeshed then \[s\].
-    pub commits: f64,
+    /// Where the thread that leads spent them.
+    pub stages: Stages,
     /// Linear iterations.
     pub iterations: u64,
 }
@@ -62,16 +62,14 @@ pub fn measure(
     let case = Case::load_run(folder, &Overrides::default(), None)?;
     let mut fluid = backend::of(&case, true)?;
     let before = own_usage().cpu_seconds;
-    let (mut time, mut part, mut done, mut iterations, mut commits) = (0.0, 1.0, 0, 0, 0.0);
+    let (mut time, mut part, mut done, mut iterations) = (0.0, 1.0, 0, 0);
     while time < scene.end() * (1.0 - 1e-9) {
         let step = Step { time, length: (part * length).min(scene.end() - time) };
         fluid.save();
         match fluid.solve(step, &[])? {
             Attempt::Solved(solution) => {
                 iterations += solution.iterations;
-                let solved = own_usage().cpu_seconds;
                 fluid.commit(step)?;
-                commits += own_usage().cpu_seconds - solved;
                 (time, part, done) = (step.end(), 1.0, done + 1);
             }
             Attempt::TooLarge(_) if part > SMALLEST => {
@@ -88,7 +86,7 @@ pub fn measure(
         nodes: fluid.nodes(),
         error: error(scene, fluid.as_ref())?,
         seconds,
-        commits,
+        stages: fluid.stages(),
         iterations,
     })
 }

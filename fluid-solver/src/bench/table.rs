@@ -1,12 +1,13 @@
 //! The table, on the screen and as a file.
 
 use super::measure::Measured;
+use crate::backend::Stages;
 
 /// Titles on the screen.
-pub const TITLES: &str = "scene          backend    cells windows   nodes       error  CPU s   us/node-step  of it commit  iterations/window";
+pub const TITLES: &str = "scene          backend    cells windows   nodes       error  CPU s   us/node-step   mesh boundary transfer assembly  solve   iterations/window";
 
 /// Titles of the file.
-pub const CSV_TITLES: &str = "scene,backend,cells,windows,nodes,error,cpu[s],cpu_per_node_step[us],commit_share,iterations_per_window\n";
+pub const CSV_TITLES: &str = "scene,backend,cells,windows,nodes,error,cpu[s],cpu_per_node_step[us],mesh_share,boundary_share,transfer_share,assembly_share,solve_share,iterations_per_window\n";
 
 /// What a line says.
 pub struct Line<'a> {
@@ -23,9 +24,10 @@ impl Line<'_> {
         1e6 * self.measured.seconds_per_node_step()
     }
 
-    /// Share of the time that commits take: with `pfem` remeshing, the rest is the flow.
-    fn commit_share(&self) -> f64 {
-        self.measured.commits / self.measured.seconds
+    /// Shares of the time: mesh, boundary, transfer, assembly, solve; norms, books and copies are the rest.
+    fn shares(&self) -> [f64; 5] {
+        let Stages { mesh, boundary, transfer, assembly, solve } = self.measured.stages;
+        [mesh, boundary, transfer, assembly, solve].map(|stage| stage / self.measured.seconds)
     }
 
     fn iterations(&self) -> f64 {
@@ -35,12 +37,12 @@ impl Line<'_> {
     /// For the screen.
     pub fn text(&self) -> String {
         let Measured { cells, windows, nodes, error, seconds, .. } = self.measured;
+        let [mesh, boundary, transfer, assembly, solve] = self.shares().map(|share| 100.0 * share);
         format!(
-            "{:<14} {:<9} {cells:>6} {windows:>7} {nodes:>7}   {error:>9.3e} {seconds:>6.2} {:>14.1} {:>11.1} % {:>18.1}",
+            "{:<14} {:<9} {cells:>6} {windows:>7} {nodes:>7}   {error:>9.3e} {seconds:>6.2} {:>14.1} {mesh:>4.1} % {boundary:>6.1} % {transfer:>6.1} % {assembly:>6.1} % {solve:>4.1} % {:>19.1}",
             self.scene,
             self.backend,
             self.microseconds(),
-            100.0 * self.commit_share(),
             self.iterations()
         )
     }
@@ -49,9 +51,10 @@ impl Line<'_> {
     pub fn csv(&self) -> String {
         let Measured { cells, windows, nodes, error, seconds, .. } = self.measured;
         let (microseconds, iterations) = (self.microseconds(), self.iterations());
-        let (scene, backend, commits) = (self.scene, self.backend, self.commit_share());
+        let (scene, backend) = (self.scene, self.backend);
+        let shares = self.shares().map(|share| share.to_string()).join(",");
         format!(
-            "{scene},{backend},{cells},{windows},{nodes},{error},{seconds},{microseconds},{commits},{iterations}\n"
+            "{scene},{backend},{cells},{windows},{nodes},{error},{seconds},{microseconds},{shares},{iterations}\n"
         )
     }
 }

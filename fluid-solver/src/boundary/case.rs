@@ -18,8 +18,8 @@ impl<const D: usize> Condition<D> {
                 }
                 None => Inflow::Velocity(velocity_field(boundary.velocity.as_ref())),
             }),
-            // Loading has refused free surfaces where the mesh stays.
-            BoundaryKind::FreeSurface | BoundaryKind::Outlet => {
+            // Loading has refused what needs a mesh that moves.
+            BoundaryKind::FreeSurface | BoundaryKind::WallFunction | BoundaryKind::Outlet => {
                 Self::Outlet { pressure: boundary.pressure.map_or(0.0, |pressure| pressure.si()) }
             }
         }

@@ -5,7 +5,7 @@
 pub struct Worst {
     /// |V + drops − V₀|/V₀.
     pub volume_error: f64,
-    /// E/E₀, energies above that of the fluid poured out flat at the lowest place.
+    /// E/E₀: kinetic and potential energy, heights as the case has them.
     pub energy_growth: f64,
     /// Largest speed at the end \[m/s\].
     pub speed: f64,
@@ -94,9 +94,9 @@ impl Outcome {
                 }
             }
             (Self::Stopped(_, message), Expected::Refusal(why)) if message.contains(why) => Verdict::Stopped,
-            // Whoever asks for a run may be told that it cannot be had, if he is told why.
+            // Whoever asks for a run may be told that it cannot be had, if he is told where and why.
             (Self::Stopped(_, message), Expected::Run { .. } | Expected::Open { .. })
-                if message.contains("element") =>
+                if message.contains(" at [") =>
             {
                 Verdict::Stopped
             }
@@ -112,5 +112,41 @@ impl Outcome {
             ),
             Self::Stopped(time, message) => format!("at {time:.4} s: {message}"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WORST: Worst = Worst { volume_error: 1e-3, energy_growth: 1.0, speed: 0.5, halved: 2 };
+    const RUN: Expected = Expected::Run { volume_error: 2e-3, speed: 1.0 };
+
+    #[test]
+    fn a_run_within_its_bounds_is_right_and_outside_of_them_stable() {
+        assert_eq!(Outcome::Ran(WORST).verdict(RUN), Verdict::Right);
+        assert_eq!(Outcome::Ran(Worst { volume_error: 3e-3, ..WORST }).verdict(RUN), Verdict::Stable);
+        assert_eq!(Outcome::Ran(Worst { speed: 2.0, ..WORST }).verdict(RUN), Verdict::Stable);
+    }
+
+    #[test]
+    fn energy_out_of_nothing_and_numbers_that_are_none_are_broken() {
+        for growth in [1.002, f64::NAN, f64::INFINITY] {
+            assert_eq!(Outcome::Ran(Worst { energy_growth: growth, ..WORST }).verdict(RUN), Verdict::Broken);
+        }
+        let open = Expected::Open { volume_error: 2e-3 };
+        assert_eq!(Outcome::Ran(Worst { energy_growth: 9.0, ..WORST }).verdict(open), Verdict::Right);
+        assert_eq!(Outcome::Ran(Worst { volume_error: f64::NAN, ..WORST }).verdict(open), Verdict::Broken);
+    }
+
+    #[test]
+    fn a_run_that_stops_says_where_and_a_refusal_that_is_due_says_why() {
+        let stopped = |message: &str| Outcome::Stopped(0.1, message.to_string());
+        let fault = "cell 3 at [0.1, 0.2] would be turned over in the step of 1e-9 s";
+        assert_eq!(stopped(fault).verdict(RUN), Verdict::Stopped);
+        assert_eq!(stopped("no").verdict(RUN), Verdict::Broken);
+        assert_eq!(stopped("two nodes are at").verdict(Expected::Refusal("two nodes")), Verdict::Stopped);
+        assert_eq!(stopped("no").verdict(Expected::Refusal("two nodes")), Verdict::Broken);
+        assert_eq!(Outcome::Ran(WORST).verdict(Expected::Refusal("two nodes")), Verdict::Broken);
     }
 }

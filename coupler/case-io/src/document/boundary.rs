@@ -38,6 +38,8 @@ pub enum BoundaryKind {
     NoSlip,
     /// The fluid slides along a wall without friction.
     Slip,
+    /// The fluid slides along a wall with the friction of a law of the wall, of Werner and Wengle (`pfem` only).
+    WallFunction,
     /// The velocity is stated.
     Inlet,
     /// The pressure is stated.

@@ -37,7 +37,7 @@ pub struct Pfem {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Recognition {
-    /// What lies in the moved old domain stays; what is new must be close and approaching.
+    /// What lies inside of the moved surface; surfaces merge where they close a thin gap (in the plane) or have met (in space).
     #[default]
     MovedDomain,
     /// What is not larger than the size allows.

@@ -1,5 +1,6 @@
 //! Reports as one HTML page without script and without anything external.
 
+mod audits;
 mod bench;
 mod checks;
 mod head;
@@ -33,6 +34,7 @@ pub(crate) fn html(run: &Run, figures: &[Figure]) -> Result<String, ReportError>
         section("Convergence", &series::convergence(run)?),
         section("Time spent", &seconds::html(summary)),
         section("Ledger", &ledger::html(run)?),
+        audits::html(summary),
         section("Work saved", &seconds::thrift(summary)),
         notes(&run.notes),
     ]

@@ -18,7 +18,8 @@ pub(crate) struct Plot {
 /// Values that differ by more than this factor do not share an axis: the smaller would be a flat line.
 const LARGEST_RATIO: f64 = 100.0;
 
-/// The plots of a series: columns of one unit and of like size share one, in the order of the columns.
+/// The plots of a series: columns of one unit and of like size share one, in the order of the columns, and so do the parts
+/// of a sum (`volume-by-flow`, `volume-by-overlap`), whatever their sizes.
 pub(crate) fn plots_of(title: &str, series: &Series, choose_scale: fn(&[&Column]) -> Scale) -> Vec<Plot> {
     let Some((time, columns)) = series.columns().split_first() else { return Vec::new() };
     let mut groups: Vec<Vec<&Column>> = Vec::new();
@@ -26,7 +27,11 @@ pub(crate) fn plots_of(title: &str, series: &Series, choose_scale: fn(&[&Column]
         let fits = |group: &&mut Vec<&Column>| {
             let like = |other: &&Column| {
                 let (one, two) = (largest(column), largest(other));
-                one == 0.0 || two == 0.0 || one.max(two) <= LARGEST_RATIO * one.min(two)
+                let of_one_size = one == 0.0 || two == 0.0 || one.max(two) <= LARGEST_RATIO * one.min(two);
+                match (sum_of(column), sum_of(other)) {
+                    (None, None) => of_one_size,
+                    (sum, other) => sum == other,
+                }
             };
             group.len() < PALETTE.len() && group[0].title.unit == column.title.unit && group.iter().all(like)
         };
@@ -53,6 +58,11 @@ pub(crate) fn plots_of(title: &str, series: &Series, choose_scale: fn(&[&Column]
             }
         })
         .collect()
+}
+
+/// The sum that a column is a part of.
+fn sum_of(column: &Column) -> Option<&str> {
+    Some(column.title.name.split_once("-by-")?.0)
 }
 
 fn largest(column: &Column) -> f64 {

@@ -112,6 +112,18 @@ fn a_series_without_rows_says_so() {
 }
 
 #[test]
+fn parts_of_a_sum_share_a_plot_and_audits_a_table() {
+    let directory = empty_directory("audits");
+    summary().write(&directory.join("summary.json")).unwrap();
+    let columns = "t[s],volume[m^3],volume-by-flow[m^3],volume-by-overlap[m^3],lost[m^3]";
+    let rows = "0.0,1.0,1e-12,1e-3,1e-3\n0.1,1.0,2e-12,2e-3,1e-3\n";
+    fs::write(directory.join("series/fluid.csv"), format!("{columns}\n{rows}")).unwrap();
+    let html = html(&directory);
+    assert_eq!(html.matches("<figure").count(), 3, "the volume, its parts, what was lost");
+    assert!(html.contains("Audits of the fluid") && html.contains("volume-by-overlap[m^3]"));
+}
+
+#[test]
 fn values_that_are_not_numbers_do_not_break_it() {
     let directory = empty_directory("nan");
     let mut summary = summary();

@@ -55,6 +55,7 @@ pub fn summary() -> Summary {
         },
         peak_memory: 312 << 20,
         taken: [("energy-taken-by-sleep[J]".to_owned(), 2.5e-9)].into(),
+        audits: [("volume-by-overlap[m^3]".to_owned(), -1.5e-6)].into(),
         thrift: [("neighbour-lists-reused".to_owned(), 23_118), ("single-iteration-windows".to_owned(), 87)]
             .into(),
         ledger: [

@@ -2,7 +2,7 @@
 
 use super::flow::{Flow, Properties};
 use super::state::State;
-use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Step};
+use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Stages, Step};
 use crate::element::simplex::{Vector, in_space};
 use crate::error::FluidError;
 use crate::grains::{Exchange, FixedMesh, GrainsOnMesh, Medium, Recovered, Taken};
@@ -202,6 +202,10 @@ impl<const D: usize, const N: usize> FluidBackend for Eulerian<D, N> {
             pressure: mesh.interpolate(&state.pressure, cell as usize, &coordinates),
             void_fraction: mesh.interpolate(&state.void_fraction, cell as usize, &coordinates),
         })
+    }
+
+    fn stages(&self) -> Stages {
+        self.flow.spent()
     }
 
     fn statistics(&self, _time: f64) -> Vec<(&'static str, f64)> {

@@ -4,7 +4,7 @@ use super::incidence::{Corner, Incidence};
 use super::outlet::Outlets;
 use super::state::State;
 use super::step::Workspace;
-use crate::backend::Step;
+use crate::backend::{Stages, Step};
 use crate::boundary::{Boundaries, Constraints};
 use crate::element::simplex::{Vector, difference, dot};
 use crate::error::FluidError;
@@ -93,6 +93,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     /// What the fluid is.
     pub fn properties(&self) -> &Properties<D> {
         &self.properties
+    }
+
+    /// Where the time went.
+    pub fn spent(&self) -> Stages {
+        self.work.spent
     }
 
     /// The fields.

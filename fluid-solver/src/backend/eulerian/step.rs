@@ -8,11 +8,12 @@ use super::matrices::{Matrices, Part, ProductScratch};
 use super::preconditioner::{Preconditioning, Resistances, StepPreconditioner, spacing};
 use super::state::State;
 use super::time_rule::TimeRule;
-use crate::backend::Step;
+use crate::backend::{Stages, Step};
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
 use crate::grains::{Compliance, Exchange, Given};
 use crate::parallel::for_each_node;
+use interface::usage::ThreadClock;
 use linear::{FlexibleGmres, Pattern, Stopping, Verdict, vector};
 use std::cell::RefCell;
 use std::ops::RangeInclusive;
@@ -47,6 +48,8 @@ pub struct Workspace<const D: usize, const N: usize> {
     /// u′ and p′: what the grains have felt.
     pub felt_velocity: Vec<Vector<D>>,
     pub felt_pressure: Vec<f64>,
+    /// Where the time went.
+    pub spent: Stages,
     compliance: Vec<Compliance>,
     assembly: AssemblyScratch<D, N>,
     krylov: FlexibleGmres,
@@ -70,6 +73,7 @@ impl<const D: usize, const N: usize> Workspace<D, N> {
             right: vec![0.0; unknowns],
             felt_velocity: vec![[0.0; D]; nodes],
             felt_pressure: vec![0.0; nodes],
+            spent: Stages::default(),
             compliance: Vec::new(),
             assembly: AssemblyScratch::new(),
             krylov: FlexibleGmres::new(unknowns, restart),
@@ -92,6 +96,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         exchange: &Exchange<D>,
         iterate: Option<(&[Vector<D>], &[f64])>,
     ) -> Result<u64, FluidError> {
+        let mut clock = ThreadClock::start();
         if self.state.previous_step.is_none() && !exchange.is_silent() {
             self.state.begin_with_grains(step.length);
         }
@@ -110,8 +115,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let State { velocity, void_fraction, .. } = &mut self.state;
         self.constraints.prescribe(step.end(), void_fraction, velocity);
         self.assemble(rule, step, exchange);
+        self.work.spent.assembly += clock.lap();
         self.precondition(rule).map_err(|fault| self.fault(fault, step))?;
         let iterations = self.improve(rule, step)?;
+        self.work.spent.solve += clock.lap();
         self.check_finite(step)?;
         let state = &mut self.state;
         for (i, rate) in state.acceleration.iter_mut().enumerate() {

@@ -9,7 +9,7 @@ use super::renewal::Renewal;
 use super::seats::seat;
 use super::state::State;
 use super::wall::Wall;
-use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Step};
+use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Stages, Step};
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
 use crate::grains::Spreading;
@@ -102,6 +102,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
             seat(cloud, &self.grains.positions().collect::<Vec<_>>(), &sizes);
         }
         counts.add(&self.renewal.remesh(cloud, walls, time, size, books)?);
+        books.volume.largest_error = books.volume.largest_error.max(books.volume.error().abs());
         self.grains.begin(cloud)?;
         self.grains.keep_momentum(cloud, momentum);
         Ok(())
@@ -264,7 +265,8 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
         let Setting { walls, size, response, acceleration, density, .. } = &mut self.setting;
         size.see_grains(self.grains.void_fraction());
         let work = solution.reaction.iter().zip(&solution.velocity).map(|(force, v)| dot(force, v));
-        self.state.given += step.length * work.sum::<f64>();
+        // What friction turns into heat walls did not give.
+        self.state.given += step.length * (work.sum::<f64>() + solution.friction);
         self.residuals = solution.residuals;
         let passed = self.gates.advance(&mut self.state.cloud, walls, step, &solution, acceleration);
         self.state.pass(&passed, *density);
@@ -288,6 +290,14 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
 
     fn statistics(&self, _time: f64) -> Vec<(&'static str, f64)> {
         super::output::statistics(&self.state, &self.setting, &self.grains, self.residuals)
+    }
+
+    fn stages(&self) -> Stages {
+        [self.flow.spent(), self.renewal.spent().stages()].into_iter().sum()
+    }
+
+    fn audits(&self) -> Vec<(&'static str, f64)> {
+        super::output::audits(&self.state, &self.setting, &self.grains)
     }
 
     fn counters(&self) -> Vec<(String, u64)> {

@@ -60,6 +60,9 @@ fn backend<const D: usize, const N: usize>(
     let stated = fluid.pfem.as_ref().and_then(|pfem| pfem.size).map(|size| size.si());
     let first = mesh.as_ref().map(|mesh| start(fluid, mesh));
     let size = stated.or(first.as_ref().map(Body::mean_size)).unwrap_or_default();
+    if let (Some(mesh), Some(size)) = (&mesh, stated) {
+        refuse_coarse(case, mesh, size)?;
+    }
     let mut walls = walls(case, fluid, mesh.as_ref())?;
     refuse_gaps(case, &walls, size)?;
     let (mut all, mut velocity) = bodies(case, fluid, first, size)?;
@@ -175,6 +178,21 @@ fn bodies<const D: usize, const N: usize>(
         all.join(body);
     }
     Ok((all, velocity))
+}
+
+/// Refuses cells larger than the mesh.
+fn refuse_coarse<const D: usize, const N: usize>(
+    case: &Case,
+    mesh: &Mesh<D, N>,
+    size: f64,
+) -> Result<(), FluidError> {
+    let (lower, upper) = bounds(mesh.nodes());
+    let shortest = (0..D).map(|k| upper[k] - lower[k]).fold(f64::INFINITY, f64::min);
+    if size <= shortest * (1.0 + TOUCHING) {
+        return Ok(());
+    }
+    let allowed = format!("at most the shortest edge of the box around the mesh, {shortest:.3e} m");
+    Err(case.error("fluid.pfem.size", format!("it is {size:.3e} m"), allowed, "").into())
 }
 
 /// Refuses a fluid without volume, nodes too far apart for the size, and nodes at one place.

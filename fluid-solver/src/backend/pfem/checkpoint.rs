@@ -97,7 +97,7 @@ fn by_rows<T: Copy, const K: usize>(flat: Vec<T>) -> Vec<[T; K]> {
 
 /// The accounts of the books, in the order in which they are written.
 fn accounts<const D: usize>(books: &mut Books<D>) -> Vec<&mut Account> {
-    let Books { volume, energy: EnergyBooks { kinetic, moment } } = books;
+    let Books { volume, energy: EnergyBooks { kinetic, limiter, moment } } = books;
     let VolumeBooks {
         start: _,
         target: _,
@@ -110,21 +110,22 @@ fn accounts<const D: usize>(books: &mut Books<D>) -> Vec<&mut Account> {
         separation,
         absorption,
         correction,
+        largest_error: _,
     } = volume;
     let of_volume = [flow, management, overlap, merging, separation, absorption, correction];
-    of_volume.into_iter().chain([kinetic]).chain(moment).collect()
+    of_volume.into_iter().chain([kinetic, limiter]).chain(moment).collect()
 }
 
 fn written<const D: usize>(books: &Books<D>) -> Vec<f64> {
     let mut books = *books;
-    let VolumeBooks { start, target, cells, drops, .. } = books.volume;
+    let VolumeBooks { start, target, cells, drops, largest_error, .. } = books.volume;
     let accounts = accounts(&mut books).into_iter().flat_map(|account| [account.sum, account.absolute]);
-    [start, target, cells, drops].into_iter().chain(accounts).collect()
+    [start, target, cells, drops, largest_error].into_iter().chain(accounts).collect()
 }
 
 fn read<const D: usize>(numbers: &[f64]) -> Option<Books<D>> {
-    let (&[start, target, cells, drops], rest) = numbers.split_first_chunk()?;
-    let volume = VolumeBooks { start, target, cells, drops, ..VolumeBooks::default() };
+    let (&[start, target, cells, drops, largest_error], rest) = numbers.split_first_chunk()?;
+    let volume = VolumeBooks { start, target, cells, drops, largest_error, ..VolumeBooks::default() };
     let mut books = Books { volume, ..Books::default() };
     let accounts = accounts(&mut books);
     let (pairs, []) = rest.as_chunks::<2>() else { return None };
@@ -145,6 +146,7 @@ mod tests {
     fn books_come_back_as_they_were_and_others_are_refused() {
         let mut books = Books::<2>::default();
         books.volume.target = 3.0;
+        books.volume.largest_error = 0.01;
         for (k, account) in accounts(&mut books).into_iter().enumerate() {
             account.add(k as f64 - 4.5);
         }

@@ -11,26 +11,21 @@ use crate::error::FluidError;
 use case_io::output::vtk::{Compression, Field, Format, Precision, UnstructuredGrid};
 use std::path::{Path, PathBuf};
 
-/// Volume and energy with their audits, momentum, extremes, what the last step left of its equations: name with unit, value. In 2D those of the slab.
-pub fn statistics<const D: usize, const N: usize>(
+/// Volume and energy, by what changed them: name with unit, value. In 2D those of the slab.
+pub fn audits<const D: usize, const N: usize>(
     state: &State<D, N>,
     setting: &Setting<D>,
     grains: &GrainsInCloud<D, N>,
-    residuals: Residuals,
 ) -> Vec<(&'static str, f64)> {
-    const MOMENTUM: [&str; 3] = ["momentum-x[kg m/s]", "momentum-y[kg m/s]", "momentum-z[kg m/s]"];
-    const REACH: [[&str; 2]; 3] =
-        [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
-    let (cloud, books, depth) = (&state.cloud, &state.books.volume, setting.depth);
-    let (kinetic, potential) = state.energies(setting.density, &setting.acceleration, grains.void_fraction());
+    let (books, depth, density) = (&state.books.volume, setting.depth, setting.density);
+    let (kinetic, potential) = state.energies(density, &setting.acceleration, grains.void_fraction());
     let remeshing = &state.books.energy;
-    let by_remeshing = setting.density
-        * (remeshing.kinetic.sum
-            - (0..D).map(|k| setting.acceleration[k] * remeshing.moment[k].sum).sum::<f64>());
-    let volume = books.cells + books.drops;
-    let mut found = vec![
-        ("volume[m^3]", depth * volume),
-        ("volume-error[-]", (volume - books.target) / books.target.max(books.start)),
+    let lifted: f64 = (0..D).map(|k| setting.acceleration[k] * remeshing.moment[k].sum).sum();
+    let by_remeshing = density * (remeshing.kinetic.sum - remeshing.limiter.sum - lifted);
+    vec![
+        ("volume[m^3]", depth * (books.cells + books.drops)),
+        ("volume-error[-]", books.error()),
+        ("volume-error-max[-]", books.largest_error),
         ("volume-entered[m^3]", depth * state.passed.entered.volume),
         ("volume-left[m^3]", depth * state.passed.left.volume),
         ("drops[m^3]", depth * books.drops),
@@ -46,8 +41,23 @@ pub fn statistics<const D: usize, const N: usize>(
         ("potential-energy[J]", depth * potential),
         ("energy[J]", depth * (kinetic + potential)),
         ("energy-by-remeshing[J]", depth * by_remeshing),
+        ("energy-by-limiter[J]", depth * density * remeshing.limiter.sum),
         ("energy-lost[J]", depth * (state.given - kinetic - potential)),
-    ];
+    ]
+}
+
+/// The audits, momentum, extremes, what the last step left of its equations: name with unit, value. In 2D those of the slab.
+pub fn statistics<const D: usize, const N: usize>(
+    state: &State<D, N>,
+    setting: &Setting<D>,
+    grains: &GrainsInCloud<D, N>,
+    residuals: Residuals,
+) -> Vec<(&'static str, f64)> {
+    const MOMENTUM: [&str; 3] = ["momentum-x[kg m/s]", "momentum-y[kg m/s]", "momentum-z[kg m/s]"];
+    const REACH: [[&str; 2]; 3] =
+        [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
+    let (cloud, depth) = (&state.cloud, setting.depth);
+    let mut found = audits(state, setting, grains);
     let (mut cell_volumes, mut mass) = (Vec::new(), Vec::new());
     volumes(cloud, &mut cell_volumes, &mut mass);
     mass.iter_mut().zip(grains.void_fraction()).for_each(|(mass, void)| *mass *= void);

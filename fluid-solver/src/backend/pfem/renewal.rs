@@ -1,7 +1,7 @@
 //! Whatever finds the mesh between moved nodes.
 
 use super::cloud::Cloud;
-use super::remesh::{Books, Events, TargetSize};
+use super::remesh::{Books, Events, Spent, TargetSize};
 use super::wall::Wall;
 
 /// Finds the mesh at t_{n+1} between nodes that moved.
@@ -21,4 +21,7 @@ pub trait Renewal<const D: usize, const N: usize>: Send {
         size: &TargetSize,
         books: &mut Books<D>,
     ) -> Result<Events, delaunay::Error>;
+
+    /// Processor time since the start.
+    fn spent(&self) -> Spent;
 }

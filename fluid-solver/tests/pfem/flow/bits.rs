@@ -4,9 +4,9 @@ use crate::support::{WATER, advance, block, flow, gravity, newtonian, tank, touc
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::wall::Grip;
 
-fn collapsed(viscosity: f64) -> Cloud<3, 4> {
+fn collapsed(viscosity: f64, grip: Grip) -> Cloud<3, 4> {
     let mut cloud = block::<3, 4>([0.1; 3], [18, 16, 18], 0.25);
-    let walls = tank([0.4, 0.1, 0.1], Grip::NoSlip);
+    let walls = tank([0.4, 0.1, 0.1], grip);
     touch(&mut cloud, &walls);
     let mut flow = flow(newtonian(1000.0, viscosity), 1e-6);
     advance(&mut flow, &mut cloud, &walls, &gravity(), 1e-3, 0..2, |_, _| ());
@@ -15,10 +15,10 @@ fn collapsed(viscosity: f64) -> Cloud<3, 4> {
 
 #[test]
 fn one_two_and_four_threads_give_the_same_bits() {
-    for viscosity in [1e-3, 100.0] {
+    for (viscosity, grip) in [(1e-3, Grip::NoSlip), (100.0, Grip::NoSlip), (1e-3, Grip::WallFunction)] {
         let with = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| collapsed(viscosity))
+            pool.install(|| collapsed(viscosity, grip))
         };
         let one = with(1);
         assert!(one == with(2) && one == with(4));

@@ -37,7 +37,7 @@ fn collapse<const D: usize, const N: usize>(cells: [usize; D], grip: Grip) {
 
 #[test]
 fn momentum_changes_by_weight_and_walls_alone_to_round_off() {
-    for grip in [Grip::Slip, Grip::NoSlip] {
+    for grip in [Grip::Slip, Grip::NoSlip, Grip::WallFunction] {
         collapse::<2, 3>([8, 8], grip);
         collapse::<3, 4>([4, 4, 4], grip);
     }

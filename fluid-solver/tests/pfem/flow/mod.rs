@@ -5,5 +5,6 @@ mod ledger;
 mod plastic;
 mod rest;
 mod schemes;
+mod wall_function;
 mod walls;
 mod waves;

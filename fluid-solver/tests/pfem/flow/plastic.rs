@@ -80,19 +80,34 @@ fn a_column_that_its_yield_stress_can_bear_only_creeps_and_slower_the_lower_the_
 
 #[test]
 fn a_thinning_fluid_falls_through_a_channel_as_its_power_says() {
+    thinning(0.0);
+}
+
+#[test]
+fn a_thinning_fluid_with_a_yield_stress_falls_through_a_channel_with_its_plug() {
+    thinning(0.3);
+}
+
+/// A Herschel–Bulkley fluid, n = ½, whose plug is this share of a channel.
+fn thinning(plug: f64) {
     let (half, length, consistency, exponent) = (0.05, 0.6, 100.0, 0.5);
     let mut cloud = block::<2, 3>([2.0 * half, length], [20, 72], 0.2);
     let mut walls = tank([2.0 * half, length], Grip::NoSlip);
     walls.pop();
     touch(&mut cloud, &walls);
-    let law = HerschelBulkley { consistency, exponent, yield_stress: 0.0, creep_rate: 1e-4 };
+    let yield_stress = plug * DENSITY * half;
+    let law = HerschelBulkley { consistency, exponent, yield_stress, creep_rate: 1e-4 };
     let fluid = Fluid { density: DENSITY, rheology: Rheology::HerschelBulkley(law), bulk_modulus: None };
     let forces = Forces { gravity: [0.0, -1.0], grains: None };
     advance(&mut flow(fluid, 1e-5), &mut cloud, &walls, &forces, 5e-3, 0..40, |_, _| ());
     let middle = cloud.place.iter().zip(&cloud.velocity).filter(|(x, _)| (x[1] - 0.3).abs() < 0.02);
     let profile: Vec<[f64; 2]> = middle.map(|(x, v)| [(x[0] - half).abs() / half, -v[1]]).collect();
     let largest = profile.iter().map(|[_, v]| *v).fold(0.0, f64::max);
-    // 1 − y^{1 + 1/n}
-    let error = profile.iter().map(|[y, v]| (v / largest - (1.0 - y.powi(3))).abs()).fold(0.0, f64::max);
-    assert!(error <= 0.03, "{error}");
+    // 1 − ((y − y_p)/(1 − y_p))^{1 + 1/n} beyond the plug
+    let exact = |y: f64| 1.0 - ((y - plug).max(0.0) / (1.0 - plug)).powi(3);
+    let error = profile.iter().map(|[y, v]| (v / largest - exact(*y)).abs()).fold(0.0, f64::max);
+    assert!(error <= 0.03, "plug {plug}: {error}");
+    // ((G/K)^{1/n}) n/(n + 1) a^{1 + 1/n} (1 − y_p)^{1 + 1/n}
+    let fastest = (DENSITY / consistency).powi(2) / 3.0 * (half * (1.0 - plug)).powi(3);
+    assert!((largest / fastest - 1.0).abs() <= 0.05, "plug {plug}: {largest} of {fastest} m/s");
 }

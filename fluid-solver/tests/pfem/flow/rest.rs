@@ -27,15 +27,17 @@ fn hydrostatic<const D: usize, const N: usize>(cells: [usize; D], grip: Grip, ex
 }
 
 #[test]
-fn a_tank_stays_flat_for_a_thousand_steps_in_the_plane_whether_it_slips_or_sticks() {
+fn a_tank_stays_flat_for_a_thousand_steps_in_the_plane_whatever_its_walls_hold() {
     hydrostatic::<2, 3>([9, 11], Grip::Slip, true, 1000);
     hydrostatic::<2, 3>([9, 11], Grip::NoSlip, true, 1000);
+    hydrostatic::<2, 3>([9, 11], Grip::WallFunction, true, 1000);
 }
 
 #[test]
-fn a_tank_stays_flat_for_a_thousand_steps_in_space_whether_it_slips_or_sticks() {
+fn a_tank_stays_flat_for_a_thousand_steps_in_space_whatever_its_walls_hold() {
     hydrostatic::<3, 4>([5, 4, 6], Grip::Slip, true, 1000);
     hydrostatic::<3, 4>([5, 4, 6], Grip::NoSlip, true, 1000);
+    hydrostatic::<3, 4>([5, 4, 6], Grip::WallFunction, true, 1000);
 }
 
 #[test]

@@ -113,6 +113,7 @@ fn boundary(fluid: &Fluid, boundary: &Boundary, index: usize, rules: &Rules) -> 
     let (used, word): (&[&str], _) = match kind {
         BoundaryKind::NoSlip => (&[], "no-slip"),
         BoundaryKind::Slip => (&[], "slip"),
+        BoundaryKind::WallFunction => (&[], "wall-function"),
         BoundaryKind::Inlet => (&["velocity", "speed", "profile"], "inlet"),
         BoundaryKind::Outlet => (&["pressure"], "outlet"),
         BoundaryKind::MovingWall => (&["velocity"], "moving-wall"),
@@ -122,16 +123,26 @@ fn boundary(fluid: &Fluid, boundary: &Boundary, index: usize, rules: &Rules) -> 
     if moves && kind == BoundaryKind::MovingWall {
         let found = format!("backend \"pfem\" has no kind \"{word}\"");
         let advice = "state a wall that moves as [[wall]] with motion";
-        return rules.refuse(&key("kind"), found, "no-slip, slip, inlet, outlet, free-surface", advice);
-    }
-    if !moves && kind == BoundaryKind::FreeSurface {
-        let found = "the mesh of backend \"eulerian\" stays where it is and has no free surface";
         return rules.refuse(
             &key("kind"),
             found,
-            "no-slip, slip, inlet, outlet, moving-wall",
-            "set backend = \"pfem\"",
+            "no-slip, slip, wall-function, inlet, outlet, free-surface",
+            advice,
         );
+    }
+    let only_moving = match kind {
+        BoundaryKind::FreeSurface => Some("stays where it is and has no free surface"),
+        BoundaryKind::WallFunction => Some("has no law of the wall"),
+        _ => None,
+    };
+    if let Some(lacks) = only_moving.filter(|_| !moves) {
+        let found = format!("the mesh of backend \"eulerian\" {lacks}");
+        let allowed = "no-slip, slip, inlet, outlet, moving-wall";
+        return rules.refuse(&key("kind"), found, allowed, "set backend = \"pfem\"");
+    }
+    if kind == BoundaryKind::WallFunction && fluid.rheology.is_some() {
+        let found = "the law of the wall is that of a Newtonian fluid";
+        return rules.refuse(&key("kind"), found, "no-slip, slip beside [fluid.rheology]", "");
     }
     for name in ["velocity", "speed", "profile", "pressure"] {
         if !used.contains(&name) {
@@ -294,6 +305,11 @@ mod tests {
                     "\"no-slip\"",
                     "\"no-slip\"\nspeed = \"1 m/s\"",
                     "case.toml:16: fluid.boundary[0].speed: has no effect with kind = \"no-slip\"; delete it",
+                ),
+                (
+                    "\"no-slip\"",
+                    "\"wall-function\"",
+                    "case.toml:15: fluid.boundary[0].kind: the mesh of backend \"eulerian\" has no law of the wall; allowed: no-slip, slip, inlet, outlet, moving-wall; set backend = \"pfem\"",
                 ),
                 (
                     "\"no-slip\"",

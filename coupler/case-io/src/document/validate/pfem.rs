@@ -89,7 +89,7 @@ mod tests {
                 (
                     "kind = \"free-surface\"",
                     "kind = \"moving-wall\"",
-                    "case.toml:19: fluid.boundary[1].kind: backend \"pfem\" has no kind \"moving-wall\"; allowed: no-slip, slip, inlet, outlet, free-surface; state a wall that moves as [[wall]] with motion",
+                    "case.toml:19: fluid.boundary[1].kind: backend \"pfem\" has no kind \"moving-wall\"; allowed: no-slip, slip, wall-function, inlet, outlet, free-surface; state a wall that moves as [[wall]] with motion",
                 ),
                 (
                     "backend = \"pfem\"",
@@ -110,6 +110,11 @@ mod tests {
                     "[fluid.mesh]",
                     "pfem = { scheme = \"segregated\" }\nrheology = { law = \"bingham\", yield-stress = \"1 Pa\" }\n[fluid.mesh]",
                     "case.toml:12: fluid.pfem.scheme: only \"monolithic\" computes with [fluid.rheology]; delete it",
+                ),
+                (
+                    "[fluid.mesh]\nbox = { lower = [\"0 m\", \"0 m\"], upper = [\"2 m\", \"1 m\"], size = \"0.1 m\" }\n[[fluid.boundary]]\non = [\"x-min\", \"y-min\"]\nkind = \"slip\"",
+                    "rheology = { law = \"bingham\", yield-stress = \"1 Pa\" }\n[fluid.mesh]\nbox = { lower = [\"0 m\", \"0 m\"], upper = [\"2 m\", \"1 m\"], size = \"0.1 m\" }\n[[fluid.boundary]]\non = [\"x-min\", \"y-min\"]\nkind = \"wall-function\"",
+                    "case.toml:17: fluid.boundary[0].kind: the law of the wall is that of a Newtonian fluid; allowed: no-slip, slip beside [fluid.rheology]",
                 ),
                 (
                     "[fluid.mesh]",

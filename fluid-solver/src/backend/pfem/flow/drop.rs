@@ -20,20 +20,25 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         self.contact.find(cloud, walls, step, velocity);
     }
 
-    /// What a drop of volume V = d^D that runs along walls that grip loses of its velocity u (m/s) in a step: a film of
-    /// thickness d, parabolic from the wall to the surface, has the stress μ(γ̇)γ̇ at the wall, γ̇ = 3u/d. Hence
-    /// du/dt = −ru, r = 3μ/(ρd²), in one implicit step.
+    /// What a drop of volume V = d^D that runs along walls loses of its velocity u (m/s) in a step: a film of thickness d,
+    /// parabolic from a wall that it sticks to to the surface, has the stress μ(γ̇)γ̇ there, γ̇ = 3u/d. Hence du/dt = −ru,
+    /// r = 3μ/(ρd²), in one implicit step; a wall function has an r of its own.
     fn drag_of_walls(&self, start: Start<'_, D, N>, node: usize) -> Vector<D> {
         let Start { cloud, walls, step, .. } = start;
         let thickness = cloud.drop[node].powf(1.0 / D as f64);
         let mut lost = [0.0; D];
-        for wall in cloud.contacts[node].iter().filter(|&wall| walls[wall].grip == Grip::NoSlip) {
+        for wall in cloud.contacts[node].iter().filter(|&wall| walls[wall].grip != Grip::Slip) {
             let touch = walls[wall].touch(&cloud.place[node], step.time);
             let relative = moved(&cloud.velocity[node], -1.0, &touch.velocity);
             let along = moved(&relative, -dot(&relative, &touch.normal), &touch.normal);
-            let shear_rate = 3.0 * dot(&along, &along).sqrt() / thickness;
-            let viscosity = self.fluid.rheology.viscosity(shear_rate);
-            let decay = 3.0 * viscosity * step.length / (self.fluid.density * thickness * thickness);
+            let speed = dot(&along, &along).sqrt();
+            let rate = if walls[wall].grip == Grip::WallFunction {
+                self.fluid.friction_rate(thickness, speed)
+            } else {
+                let viscosity = self.fluid.rheology.viscosity(3.0 * speed / thickness);
+                3.0 * viscosity / (self.fluid.density * thickness * thickness)
+            };
+            let decay = rate * step.length;
             lost = moved(&lost, decay / (1.0 + decay), &along);
         }
         lost

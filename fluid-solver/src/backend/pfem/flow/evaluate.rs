@@ -42,6 +42,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             Fields { velocity, pressure, excess: &self.excess, bulk: 0.0, part: Part::Affine, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
         self.assembly.evaluate(topology, fields, curvature, momentum, volumes);
+        self.friction.evaluate(&self.fluid, self.implicitness, velocity, &self.projected.velocity);
+        self.friction.add(momentum);
         for_each(volumes, |node, row| {
             let change = pressure[node] - cloud.pressure[node];
             *row += compressibility * self.assembly.volumes[node] * change;

@@ -19,7 +19,7 @@ pub enum FlowFault {
     },
     /// The geometry or the linear solver does not converge.
     #[error(
-        "the step at t = {time} s: residual {residual:.3e} N after {passes} passes and {iterations} iterations, allowed {target:.3e} N: take a smaller step"
+        "the step at t = {time} s: residual {residual:.3e} N after {passes} passes and {iterations} iterations, allowed {target:.3e} N, the largest part at {place:?}: take a smaller step"
     )]
     NotConverged {
         /// t_n (s).
@@ -32,6 +32,8 @@ pub enum FlowFault {
         residual: f64,
         /// Norm allowed (N).
         target: f64,
+        /// The node with the largest force left (m).
+        place: Vec<f64>,
     },
     /// A number that is not finite.
     #[error(

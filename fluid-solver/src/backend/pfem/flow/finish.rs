@@ -58,10 +58,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             } else {
                 std::array::from_fn(|k| mass[node] * change[k] / step.length - rows[node][k])
             };
+            let friction = self.friction.force(node);
             reaction[node] = std::array::from_fn(|k| {
                 let inertia = mass[node] * (end[k] - cloud.velocity[node][k]) / step.length;
                 let blow = self.implicitness * projected.blow[node][k];
-                inertia + drag(node) * (end[k] - unheld[k]) - other[k] - blow
+                inertia + drag(node) * (end[k] - unheld[k]) - other[k] - blow + friction[k]
             });
         }
         FlowSolution {
@@ -72,6 +73,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             reaction,
             mass,
             implicitness: self.implicitness,
+            friction: self.friction.power(),
             iterations: progress.iterations,
             passes: progress.passes,
             residuals: progress.residuals,

@@ -5,6 +5,7 @@ use super::constraint::Constraint;
 use super::nodal::{Assembly, Fields, Part};
 use super::suspended::Suspended;
 use super::topology::Topology;
+use super::wall_function::Friction;
 use crate::element::simplex::Vector;
 use linear::{LinearOperator, dense, vector};
 use std::cell::RefCell;
@@ -20,6 +21,8 @@ pub struct StepOperator<'a, const D: usize, const N: usize> {
     pub scale: f64,
     /// The grains, if any.
     pub grains: Option<Suspended<'a, D, N>>,
+    /// That of walls.
+    pub friction: &'a Friction<D>,
     pub scratch: RefCell<Scratch<'a, D, N>>,
 }
 
@@ -60,6 +63,7 @@ impl<const D: usize, const N: usize> StepOperator<'_, D, N> {
         let fields =
             Fields { velocity: v, pressure: p, excess, bulk, part: Part::Linear, grains: self.grains };
         assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
+        self.friction.add_change(v, momentum);
     }
 
     /// Keeps the free rows and scales those of volume.

@@ -32,8 +32,9 @@ mod suspended;
 mod tangent;
 mod topology;
 mod velocity;
+mod wall_function;
 
-pub(super) use cell::viscosity;
+pub(super) use cell::{regular_volume, viscosity};
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
 pub use scheme::Scheme;
@@ -41,3 +42,4 @@ pub use setting::{Control, Fluid, Forces};
 pub use solution::{FlowSolution, Residuals};
 pub use solve::Flow;
 pub use strain::Strain;
+pub use wall_function::wall_stress;

@@ -9,6 +9,7 @@ use super::pressure::Pressure;
 use super::suspended::Suspended;
 use super::topology::Topology;
 use super::velocity::Velocity;
+use super::wall_function::Friction;
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::Vector;
 use linear::Preconditioner;
@@ -31,13 +32,15 @@ pub struct Preconditioning<const D: usize> {
 
 /// What a step is divided by.
 #[derive(Clone, Copy)]
-pub struct Rates<const D: usize, const N: usize> {
+pub struct Rates<'a, const D: usize, const N: usize> {
     /// ρ/(θΔt) (kg/(m³ s)).
     pub inertia: f64,
     /// 1/(κΔt) (1/(Pa s)).
     pub compressibility: f64,
     /// What the pressure matrix is a Laplacian of (m³ s/kg), where it is not θΔt/ρ with the drag of grains.
     pub mobility: Option<fn(&Cell<D, N>) -> f64>,
+    /// That of walls.
+    pub friction: &'a Friction<D>,
 }
 
 impl<const D: usize> Preconditioning<D> {
@@ -64,11 +67,11 @@ impl<const D: usize> Preconditioning<D> {
         topology: &Topology<N>,
         assembly: &Assembly<D, N>,
         constraints: &[Constraint<D>],
-        rates: Rates<D, N>,
+        rates: Rates<'_, D, N>,
         grains: Option<Suspended<'_, D, N>>,
     ) -> Result<(), linear::Error> {
-        let Rates { inertia, compressibility, mobility } = rates;
-        self.velocity.refresh(topology, assembly, constraints, inertia, grains)?;
+        let Rates { inertia, compressibility, mobility, friction } = rates;
+        self.velocity.refresh(topology, assembly, constraints, (inertia, friction), grains)?;
         let mobility = |index: usize, nodes: &[u32; N]| match (&grains, mobility) {
             (_, Some(mobility)) => mobility(&assembly.cells[index]),
             (Some(grains), _) => grains.mobility(index, nodes, inertia),

@@ -9,6 +9,7 @@ use super::setting::Fluid;
 use super::solve::{Flow, Start};
 use super::topology::Topology;
 use crate::element::simplex::Vector;
+use interface::usage::ThreadClock;
 
 /// v_n without (most of) its divergence, and the blow that took it.
 #[derive(Debug, Default)]
@@ -49,12 +50,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         if !projects {
             return Ok(());
         }
+        let mut clock = ThreadClock::start();
         self.contact.constrain(cloud, walls, step, velocity);
         let rheology = &self.fluid.rheology;
         self.assembly.place(topology, |node| cloud.place[node], velocity, inertia, rheology);
         let constraints = &self.contact.constraints;
-        let rates = Rates { inertia, compressibility: 0.0, mobility: None };
+        let rates = Rates { inertia, compressibility: 0.0, mobility: None, friction: &self.friction };
+        self.spent.assembly += clock.lap();
         preconditioning.refresh(cloud, topology, &self.assembly, constraints, rates, None)?;
+        self.spent.solve += clock.lap();
 
         divergence.resize(nodes, 0.0);
         blow_pressure.clear();
@@ -71,7 +75,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         };
         self.assembly.evaluate(topology, fields, 0.0, forces, divergence);
         for_each(divergence, |_, rate| *rate = -*rate);
+        self.spent.assembly += clock.lap();
         preconditioning.pressure.apply(divergence, blow_pressure);
+        self.spent.solve += clock.lap();
         self.assembly.pressure_forces(topology, None, blow_pressure, blow);
         let volumes = &self.assembly.volumes;
         for_each(velocity, |node, v| {

@@ -20,6 +20,8 @@ pub struct FlowSolution<const D: usize> {
     pub reaction: Vec<Vector<D>>,
     /// ρV_i (kg), in the middle; 0 for drops.
     pub mass: Vec<f64>,
+    /// Power (W) that the friction of walls turns into heat.
+    pub friction: f64,
     /// θ that it was solved with.
     pub implicitness: f64,
     /// Linear iterations.

@@ -12,10 +12,12 @@ use super::setting::{Control, Fluid, Forces};
 use super::solution::{FlowSolution, Residuals};
 use super::suspended::Suspended;
 use super::topology::Topology;
-use crate::backend::Step;
+use super::wall_function::Friction;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
-use crate::element::simplex::Vector;
+use crate::backend::{Stages, Step};
+use crate::element::simplex::{Vector, dot};
+use interface::usage::ThreadClock;
 use linear::vector;
 use std::cell::RefCell;
 
@@ -67,6 +69,7 @@ pub struct Flow<const D: usize, const N: usize> {
     mesh: Option<(Topology<N>, Preconditioning<D>)>,
     pub(super) assembly: Assembly<D, N>,
     pub(super) contact: Contact<D>,
+    pub(super) friction: Friction<D>,
     pub(super) excess: Vec<Vector<D>>,
     pub(super) projected: Projected<D>,
     pub(super) porous: Vec<Porous<D, N>>,
@@ -76,6 +79,7 @@ pub struct Flow<const D: usize, const N: usize> {
     pub(super) right: Vec<f64>,
     increment: Vec<f64>,
     pub(super) scheme: Box<dyn Correct<D, N>>,
+    pub(super) spent: Stages,
 }
 
 /// How far a solution has come.
@@ -96,6 +100,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             mesh: None,
             assembly: Assembly::default(),
             contact: Contact::default(),
+            friction: Friction::default(),
             excess: Vec::new(),
             projected: Projected::default(),
             porous: Vec::new(),
@@ -103,12 +108,18 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             right: Vec::new(),
             increment: Vec::new(),
             scheme: control.scheme.solver(),
+            spent: Stages::default(),
         }
     }
 
     /// The fluid.
     pub fn fluid(&self) -> &Fluid {
         &self.fluid
+    }
+
+    /// Where the time went.
+    pub fn spent(&self) -> Stages {
+        self.spent
     }
 
     /// Largest Δt (s) that keeps the strain of the cells within bounds if the nodes go on as they do; infinite at rest.
@@ -162,6 +173,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         }
         self.assembly.begin(cloud.cells.len(), &self.fluid.rheology);
         self.contact.begin(cloud);
+        self.friction.begin(cloud, walls, step);
+        self.friction.evaluate(&self.fluid, self.implicitness, &cloud.velocity, &cloud.velocity);
         self.project(start, &mut mesh)?;
         let (mut velocity, mut pressure) = (self.projected.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
@@ -192,6 +205,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let (mut progress, mut target, mut limit) = (Progress::default(), 0.0, 0.0);
         let (mut change, mut met) = (f64::INFINITY, 0);
         let projects = self.projects(start);
+        let mut clock = ThreadClock::start();
         loop {
             self.contact.constrain(cloud, walls, step, velocity);
             for (v, constraint) in velocity.iter_mut().zip(&self.contact.constraints) {
@@ -202,7 +216,19 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
             let implicitness = self.implicitness;
-            let Self { assembly, excess, porous, contact, right, increment, rows, scheme, .. } = self;
+            let Self {
+                assembly,
+                excess,
+                porous,
+                contact,
+                friction,
+                right,
+                increment,
+                rows,
+                scheme,
+                spent,
+                ..
+            } = self;
             let grains = start.suspended(porous, implicitness);
             let operator = StepOperator {
                 topology,
@@ -211,6 +237,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 compressibility,
                 scale,
                 grains,
+                friction,
                 scratch: RefCell::new(krylov::Scratch { assembly, excess }),
             };
             right.copy_from_slice(rows);
@@ -238,16 +265,26 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 Verdict::Again => {}
                 Verdict::Failed => {
                     let (time, target) = (step.time, allowed);
-                    return Err(FlowFault::NotConverged { time, passes, iterations, residual: norm, target });
+                    let place = cloud.place[worst::<D>(right)].to_vec();
+                    return Err(FlowFault::NotConverged {
+                        time,
+                        passes,
+                        iterations,
+                        residual: norm,
+                        target,
+                        place,
+                    });
                 }
             }
+            spent.assembly += clock.lap();
             if is_plastic || passes == 0 && !projects {
                 let assembly = &operator.scratch.borrow().assembly;
-                let rates = Rates { inertia, compressibility, mobility: scheme.mobility() };
+                let rates = Rates { inertia, compressibility, mobility: scheme.mobility(), friction };
                 preconditioning.refresh(cloud, topology, assembly, operator.constraints, rates, grains)?;
             }
             progress.iterations += scheme.correct(&iterate, &operator, preconditioning, right, increment);
             progress.passes += 1;
+            spent.solve += clock.lap();
             let (dv, dp) = split::<D>(increment);
             operator.scratch.borrow_mut().assembly.advance(topology, velocity, dv);
             vector::axpy(1.0, dv.as_flattened(), velocity.as_flattened_mut());
@@ -268,6 +305,13 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     pub(super) fn compressibility(&self, step: Step) -> f64 {
         self.fluid.bulk_modulus.map_or(0.0, |modulus| 1.0 / (modulus * step.length))
     }
+}
+
+/// The node with the largest force in these rows.
+fn worst<const D: usize>(rows: &[f64]) -> usize {
+    let (forces, _) = split::<D>(rows);
+    let sizes = forces.iter().map(|force| dot(force, force)).enumerate();
+    sizes.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(node, _)| node)
 }
 
 /// The first row that is not finite.

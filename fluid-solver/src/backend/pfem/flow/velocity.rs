@@ -5,13 +5,14 @@ use super::constraint::Constraint;
 use super::nodal::Assembly;
 use super::suspended::Suspended;
 use super::topology::Topology;
+use super::wall_function::Friction;
 use crate::element::simplex::{Vector, dot};
 use linear::{Amg, AmgOptions, Csr, Preconditioner};
 
 /// Above this μθΔt/(ρh²) viscosity couples more than the next nodes within a step.
 const VISCOUS: f64 = 0.5;
 
-/// The lumped inertia ρV_i/(θΔt) with the drag of grains (kg/s), and where viscosity prevails a V-cycle for each component on it and ∫μ∇N_i·∇N_j.
+/// The lumped inertia ρV_i/(θΔt) with the drag of grains and the friction of walls (kg/s), and where viscosity prevails a V-cycle for each component on it and ∫μ∇N_i·∇N_j.
 ///
 /// Inertia alone is the same for all that falls freely, so free fall is exact. Nodes whose velocity is prescribed stand
 /// alone; at slip walls the result is projected.
@@ -43,7 +44,7 @@ impl Velocity {
         self.is_viscous
     }
 
-    /// ρV_i/(θΔt) and the drag of grains (kg/s); 1 at drops.
+    /// ρV_i/(θΔt), the drag of grains and the friction of walls (kg/s); 1 at drops.
     pub fn inertia(&self) -> &[f64] {
         &self.inertia
     }
@@ -57,12 +58,13 @@ impl Velocity {
         topology: &Topology<N>,
         assembly: &Assembly<D, N>,
         constraints: &[Constraint<D>],
-        inertia: f64,
+        (inertia, friction): (f64, &Friction<D>),
         grains: Option<Suspended<'_, D, N>>,
     ) -> Result<(), linear::Error> {
         let volumes = &assembly.volumes;
         for_each(&mut self.inertia, |node, own| {
-            let sum = inertia * volumes[node] + grains.map_or(0.0, |grains| grains.resistance(node));
+            let drag = grains.map_or(0.0, |grains| grains.resistance(node));
+            let sum = inertia * volumes[node] + drag + friction.resistance(node);
             *own = if sum > 0.0 { sum } else { 1.0 };
         });
         let shear: f64 = assembly.cells.iter().map(|cell| cell.viscosity * cell.volume).sum();

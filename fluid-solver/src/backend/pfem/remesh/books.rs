@@ -45,6 +45,8 @@ pub struct VolumeBooks {
     pub absorption: Account,
     /// The surface was shifted to restore the target.
     pub correction: Account,
+    /// Largest error so far, in parts of the target (or of the start, where more was there).
+    pub largest_error: f64,
 }
 
 impl VolumeBooks {
@@ -57,6 +59,11 @@ impl VolumeBooks {
     /// What is missing of the target (positive) or too much.
     pub fn missing(&self) -> f64 {
         self.target - self.cells - self.drops
+    }
+
+    /// Volume too much (positive) or missing, in parts of the target (or of the start, where more was there).
+    pub fn error(&self) -> f64 {
+        -self.missing() / self.target.max(self.start)
     }
 }
 
@@ -74,13 +81,15 @@ pub struct Energy<const D: usize> {
 pub struct EnergyBooks<const D: usize> {
     /// Change of ∫ ½ |v|² dV.
     pub kinetic: Account,
+    /// Of it what was taken from the relative motion of nodes: volume gained in a blow would bring its energy with it.
+    pub limiter: Account,
     /// Change of ∫ x dV.
     pub moment: [Account; D],
 }
 
 impl<const D: usize> Default for EnergyBooks<D> {
     fn default() -> Self {
-        Self { kinetic: Account::default(), moment: [Account::default(); D] }
+        Self { kinetic: Account::default(), limiter: Account::default(), moment: [Account::default(); D] }
     }
 }
 

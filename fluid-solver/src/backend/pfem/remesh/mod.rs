@@ -12,6 +12,7 @@ mod management;
 mod recognition;
 mod size;
 mod space;
+mod spent;
 mod tessellation;
 mod topology;
 pub(super) mod transfer;
@@ -22,7 +23,8 @@ pub use books::{
 pub use grading::{Grading, Near, Source};
 pub use recognition::Recognition;
 pub use size::TargetSize;
-pub use space::{SpaceRemesher, Spent};
+pub use space::SpaceRemesher;
+pub use spent::Spent;
 pub use topology::Events;
 
 use super::cloud::{Cloud, OUTSIDE};
@@ -31,6 +33,7 @@ use super::wall::Wall;
 use crate::element::simplex::Vector;
 use books::kinetic_energy;
 use draft::{Draft, area, height};
+use interface::usage::ThreadClock;
 use tessellation::Tessellation;
 
 /// Cells lower than this share of h are managed once more.
@@ -43,6 +46,7 @@ const PASSES: usize = 3;
 pub struct Remesher<const D: usize, const N: usize> {
     /// How the fluid is told from the void.
     pub recognition: Recognition,
+    spent: Spent,
     draft: Draft,
     triangles: Tessellation,
     gradient: Vec<Vector<D>>,
@@ -73,6 +77,10 @@ impl Renewal<2, 3> for Remesher<2, 3> {
         cloud.relieve_drops();
         Ok(events)
     }
+
+    fn spent(&self) -> Spent {
+        Spent { mesh: self.triangles.seconds, ..self.spent }
+    }
 }
 
 impl Remesher<2, 3> {
@@ -97,9 +105,11 @@ impl Remesher<2, 3> {
         size: &TargetSize,
         books: &mut Books<2>,
     ) -> Result<Events, delaunay::Error> {
+        let mut clock = ThreadClock::start();
         let energy_before = energy(cloud);
         self.draft.read(cloud, size);
         let mut momentum = transfer::momentum(&self.draft.mass, &cloud.velocity);
+        self.spent.transfer += clock.lap();
         let book = &mut books.volume;
 
         let moved = correction::enclosed(cloud, &self.draft);
@@ -111,9 +121,12 @@ impl Remesher<2, 3> {
         correction::restore(cloud, &self.draft, walls, time, missing, &mut self.gradient);
         let restored = correction::enclosed(cloud, &self.draft);
         book.correction.add(restored - managed);
+        self.spent.management += clock.lap();
 
         let (draft, triangles) = (&mut self.draft, &mut self.triangles);
+        let triangulating = triangles.seconds;
         let crossed = !self.recognition.recognise(cloud, draft, triangles)?;
+        self.spent.recognition += clock.lap() - (triangles.seconds - triangulating);
         let mut events = Events { crossed, ..Events::default() };
         let recognised = self.fluid_volume();
         books.volume.overlap.add(recognised - restored);
@@ -123,14 +136,17 @@ impl Remesher<2, 3> {
         if !as_before || !self.still_delaunay(cloud) {
             self.take_cells(cloud);
         }
+        self.spent.settling += clock.lap();
         books.volume.cells = volumes(cloud, &mut self.cell_volumes, &mut self.node_volumes);
         transfer::keep_momentum(cloud, &self.draft.mass, momentum, &self.node_volumes);
         if events.impact() {
             let surplus = kinetic_energy(cloud, &self.cell_volumes) - energy_before.kinetic;
-            transfer::take_surplus(cloud, &self.draft.mass, &self.node_volumes, surplus);
+            let taken = transfer::take_surplus(cloud, &self.draft.mass, &self.node_volumes, surplus);
+            books.energy.limiter.add(-taken);
         }
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));
+        self.spent.transfer += clock.lap();
         Ok(events)
     }
 

@@ -5,6 +5,7 @@ use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::Vector;
 use delaunay::constrained::Constrained;
 use delaunay::{Delaunay, Error, HULL};
+use interface::usage::ThreadClock;
 
 /// The triangles; a point is a node that is no drop.
 #[derive(Default)]
@@ -21,6 +22,8 @@ pub struct Tessellation {
     pub fluid: Vec<bool>,
     /// Lists that passes over the triangles need.
     pub scratch: Scratch,
+    /// Processor time of triangulation since the start (s).
+    pub seconds: f64,
     rank: Vec<u32>,
     delaunay: Delaunay<2, 3>,
 }
@@ -46,6 +49,7 @@ impl Tessellation {
     /// # Errors
     /// A place that is not finite.
     pub fn triangulate(&mut self, cloud: &mut Cloud<2, 3>, draft: &mut Draft) -> Result<(), Error> {
+        let mut clock = ThreadClock::start();
         for list in [&mut self.node_of, &mut self.point_of, &mut self.rank] {
             list.clear();
         }
@@ -65,6 +69,7 @@ impl Tessellation {
             draft.unite(cloud, gone, kept);
         }
         self.made.start(plain, self.points.len());
+        self.seconds += clock.lap();
         Ok(())
     }
 

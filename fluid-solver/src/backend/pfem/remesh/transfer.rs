@@ -42,12 +42,13 @@ pub fn keep_momentum<const D: usize, const N: usize>(
 
 /// Takes a surplus of ∫ ½ |v|² dV that volume gained in a blow has brought with it: the nodes whose volume changed and that
 /// touch no wall lose relative velocity, (v − v̄) → s (v − v̄) with s² = 1 − surplus/Σ ½ m |v − v̄|² ≥ 0, and keep their momentum.
+/// Returns what was taken.
 pub fn take_surplus<const D: usize, const N: usize>(
     cloud: &mut Cloud<D, N>,
     mass: &[f64],
     volumes: &[f64],
     surplus: f64,
-) {
+) -> f64 {
     let Cloud { contacts, velocity, .. } = cloud;
     let weight = |node: usize| {
         let chosen = contacts[node].is_empty() && has_changed(mass, volumes, node);
@@ -66,7 +67,7 @@ pub fn take_surplus<const D: usize, const N: usize>(
     };
     let available: f64 = velocity.iter().enumerate().map(relative).sum();
     if surplus <= 0.0 || available <= 0.0 {
-        return;
+        return 0.0;
     }
     let left = (1.0 - surplus / available).max(0.0).sqrt();
     for (node, v) in velocity.iter_mut().enumerate() {
@@ -74,6 +75,7 @@ pub fn take_surplus<const D: usize, const N: usize>(
             *v = std::array::from_fn(|k| mean[k] + left * (v[k] - mean[k]));
         }
     }
+    surplus.min(available)
 }
 
 fn has_changed(mass: &[f64], volumes: &[f64], node: usize) -> bool {

@@ -27,6 +27,7 @@ pub fn walls<const D: usize, const N: usize>(
             let key = format!("fluid.boundary[{index}].on[{place}]");
             let grip = match boundary.kind {
                 BoundaryKind::NoSlip => Grip::NoSlip,
+                BoundaryKind::WallFunction => Grip::WallFunction,
                 BoundaryKind::Inlet | BoundaryKind::Outlet => continue,
                 // Loading has refused all kinds but those and this.
                 _ => Grip::Slip,

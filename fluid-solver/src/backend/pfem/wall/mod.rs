@@ -37,6 +37,8 @@ pub enum Grip {
     Slip,
     /// v = 0 of all but the nodes of the contact line, which slide.
     NoSlip,
+    /// v·n = 0, and the shear of a law of the wall.
+    WallFunction,
 }
 
 /// Shapes of walls, as they are at t = 0.

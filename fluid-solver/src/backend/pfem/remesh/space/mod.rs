@@ -9,16 +9,14 @@ mod freedom;
 mod management;
 mod patches;
 mod recognition;
-mod spent;
 mod surface;
 mod tetrahedra;
 mod unchanged;
 
-pub use spent::Spent;
-
 use super::books::{kinetic_energy, moment, volumes};
 use super::draft::Draft;
 use super::recognition::Recognition;
+use super::spent::Spent;
 use super::topology::Events;
 use super::transfer;
 use super::{Books, Energy, TargetSize};
@@ -40,8 +38,7 @@ const BLOW: f64 = 0.1;
 pub struct SpaceRemesher {
     /// How the fluid is told from the void.
     pub recognition: Recognition,
-    /// Processor time since the start.
-    pub spent: Spent,
+    spent: Spent,
     draft: Draft<3>,
     management: Management,
     tetrahedra: Tetrahedra,
@@ -97,7 +94,10 @@ impl Renewal<3, 4> for SpaceRemesher {
             self.recogniser.recognise(self.recognition, cloud, draft, tetrahedra);
             spent.recognition += clock.lap();
             settled = self.patches.settle(cloud, draft, tetrahedra, (walls, time), book, &mut events);
-            tetrahedra.take(cloud, draft);
+            tetrahedra.take(cloud);
+            self.recogniser.restore_edges(self.recognition, cloud);
+            draft.edges.clear();
+            draft.compact(cloud);
             spent.settling += clock.lap();
         }
         book.cells = volumes(cloud, cell_volumes, node_volumes);
@@ -110,14 +110,19 @@ impl Renewal<3, 4> for SpaceRemesher {
             events.closed = u32::from(overlap < -BLOW * smallest.powi(3));
         }
         transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);
-        if events.impact() {
-            let surplus = kinetic_energy(cloud, cell_volumes) - energy_before.kinetic;
-            transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
-        }
+        let gained = kinetic_energy(cloud, cell_volumes) - energy_before.kinetic;
+        // New cells between the same nodes gain or lose some: in all they may not gain.
+        let surplus = if events.impact() { gained } else { gained + books.energy.kinetic.sum.min(0.0) };
+        let taken = transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
+        books.energy.limiter.add(-taken);
         books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
         cloud.relieve_drops();
         spent.transfer += clock.lap();
         Ok(events)
+    }
+
+    fn spent(&self) -> Spent {
+        self.spent
     }
 }
 

@@ -1,4 +1,6 @@
-//! Where the time goes.
+//! Where the time of remeshing goes.
+
+use crate::backend::Stages;
 
 /// Processor time of remeshing (s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,5 +21,11 @@ impl Spent {
     /// In all (s).
     pub fn total(&self) -> f64 {
         self.management + self.mesh + self.recognition + self.settling + self.transfer
+    }
+
+    /// As stages of a step.
+    pub fn stages(&self) -> Stages {
+        let boundary = self.management + self.recognition + self.settling;
+        Stages { mesh: self.mesh, boundary, transfer: self.transfer, ..Stages::default() }
     }
 }
