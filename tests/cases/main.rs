@@ -39,6 +39,7 @@ cases! {
     dam_break_marin "dam-break-marin"
     dam_break_obstacle "dam-break-obstacle"
     dam_break_wall "dam-break-wall"
+    debris_slump "debris-slump"
     falling_cylinder "falling-cylinder"
     filling_container "filling-container"
     filling_container_3d "filling-container-3d"
