@@ -61,6 +61,7 @@ cases! {
     silo_discharge "silo-discharge"
     slide_into_water "slide-into-water"
     sloshing_tank "sloshing-tank"
+    stones_in_mud "stones-in-mud"
     tumbling_dumbbell "tumbling-dumbbell"
     two_sphere_impact "two-sphere-impact"
 }

@@ -14,8 +14,11 @@ use std::f64::consts::PI;
 
 /// Void fractions below this are refused: discs and spheres in contact leave more.
 const SMALLEST_VOID_FRACTION: f64 = 0.05;
-/// Numbers per node that are sampled: u, ∇p, ∇·τ, Du/Dt, ∇×u, ∇(p − p′) with three components each, and ε.
-const SAMPLED: usize = 19;
+/// Numbers per node that are sampled: u, ∇p, ∇·τ, Du/Dt, ∇×u, ∇(p − p′) with three components each, ε and γ̇.
+const SAMPLED: usize = 20;
+/// Where ε and γ̇ are.
+const VOID_FRACTION: usize = 18;
+const SHEAR_RATE: usize = 19;
 
 /// Forces that grains take from the fluid, all of them in sum (N; N/m in 2D).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +38,7 @@ pub struct Taken<const D: usize> {
 pub struct Medium {
     /// Density ρ (kg/m³).
     pub density: f64,
-    /// Dynamic viscosity μ (Pa s).
+    /// Dynamic viscosity μ that a grain meets (Pa s).
     pub viscosity: f64,
 }
 
@@ -153,12 +156,22 @@ impl<const D: usize> GrainsOnMesh<D> {
                 r.vorticity,
                 in_space(&r.gradient_change),
             ];
-            std::array::from_fn(|k| if k < SAMPLED - 1 { vectors[k / 3][k % 3] } else { *void })
+            std::array::from_fn(|k| match k {
+                VOID_FRACTION => *void,
+                SHEAR_RATE => r.shear_rate,
+                _ => vectors[k / 3][k % 3],
+            })
         }));
         self.samples.resize(self.grains.len(), [0.0; SAMPLED]);
         if self.exchange.weights().grains() > 0 {
             sample(self.exchange.weights(), &self.fields, &mut self.samples);
         }
+    }
+
+    /// u (m/s) and γ̇ (1/s) at a grain.
+    pub fn motion(&self, row: usize) -> ([f64; 3], f64) {
+        let values = &self.samples[row];
+        ([values[0], values[1], values[2]], values[SHEAR_RATE])
     }
 
     /// The row of a grain, that of a slab of `depth` (m) in 2D; density 0 outside the fluid.
@@ -175,7 +188,7 @@ impl<const D: usize> GrainsOnMesh<D> {
             viscous_stress_divergence: vector(6),
             acceleration: vector(9),
             vorticity: vector(12),
-            void_fraction: values[SAMPLED - 1],
+            void_fraction: values[VOID_FRACTION],
             wetted_fraction: self.wetted[row],
             kernel_width: weights.width(row),
             own_share: own_share(weights, row, self.volumes[row], measure),

@@ -3,7 +3,7 @@
 use crate::element::simplex::Vector;
 use crate::mesh::Mesh;
 use crate::parallel::for_each_node;
-use crate::weak_form::{gradient, share, velocity_gradient, viscous_stress};
+use crate::weak_form::{gradient, share, shear_rate, velocity_gradient, viscous_stress};
 
 /// What grains feel of the fluid, at the nodes; all *lumped* recoveries, |N_a|⁻¹ ∫ N_a ·.
 ///
@@ -21,6 +21,8 @@ pub struct Recovered<const D: usize> {
     pub acceleration: Vector<D>,
     /// ∇×u (1/s).
     pub vorticity: [f64; 3],
+    /// γ̇ = √(½E:E), E = ∇u + ∇uᵀ − ⅔∇·u (1/s).
+    pub shear_rate: f64,
 }
 
 impl<const D: usize> Recovered<D> {
@@ -30,6 +32,7 @@ impl<const D: usize> Recovered<D> {
         stress_divergence: [0.0; D],
         acceleration: [0.0; D],
         vorticity: [0.0; 3],
+        shear_rate: 0.0,
     };
 }
 
@@ -135,6 +138,7 @@ impl<const D: usize> Felt<'_, D> {
                     sum.acceleration[k] += volume * slope[k][m] * mean[m];
                 }
             }
+            sum.shear_rate += volume / N as f64 * shear_rate(&slope);
             let curl = curl(&slope);
             for k in 0..3 {
                 sum.vorticity[k] += volume / N as f64 * curl[k];
@@ -149,6 +153,7 @@ impl<const D: usize> Felt<'_, D> {
                 Rate::Material(rate) => rate[node],
             },
             vorticity: sum.vorticity.map(|value| value / measure),
+            shear_rate: sum.shear_rate / measure,
         }
     }
 

@@ -74,7 +74,8 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
         let factorial = if D == 2 { 2.0 } else { 6.0 };
         for (cell, &volume) in self.volumes.iter().enumerate() {
             let share = volume / N as f64;
-            let size = (factorial * volume).powf(1.0 / D as f64);
+            // Cells of nodes that move may turn over.
+            let size = (factorial * volume.max(0.0)).powf(1.0 / D as f64);
             for point in self.cells[cell] {
                 let node = self.node_of[point as usize] as usize;
                 self.measure[node] += share;

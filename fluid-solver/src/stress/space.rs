@@ -6,7 +6,16 @@ use super::trial::{AT_REST, Effort, GRAVITY, Kind, MOVING, Trial};
 
 /// All of them.
 pub fn trials(effort: Effort) -> Vec<Trial> {
-    [courant(effort), clouds(), impacts(effort), flights(effort), emptied(effort), refusals()].concat()
+    [
+        courant(effort),
+        clouds(),
+        impacts(effort),
+        flights(effort),
+        bubbles(effort),
+        emptied(effort),
+        refusals(),
+    ]
+    .concat()
 }
 
 fn trial(
@@ -57,15 +66,18 @@ fn impacts(effort: Effort) -> Vec<Trial> {
     let quick = effort == Effort::Quick;
     let expected = Expected::Run { volume_error: 1e-2, speed: MOVING };
     let pool = tank([0.0; 3], [0.3, 0.3, 0.1], 0.025, "", &SIDES, "");
-    let end = if quick { 0.15 } else { 0.5 };
-    let struck =
-        trial("impact", "drop at 1 m/s", (2e-3, end), expected, pool + &drop([0.15, 0.15, 0.19], 0.06, 1.0));
+    let struck = |speed: f64, end: f64| {
+        let scene = pool.clone() + &drop([0.15, 0.15, 0.19], 0.06, speed);
+        trial("impact", format!("drop at {speed} m/s"), (2e-3 / speed, end), expected, scene)
+    };
+    let slow = struck(1.0, if quick { 0.15 } else { 0.5 });
+    let fast = struck(10.0, if quick { 0.03 } else { 0.1 });
     let far = plane("far-wall", [0.4, 0.0, 0.0], [-1.0, 0.0, 0.0]);
     let held = ["x-min", "y-min", "y-max", "z-min"];
     let dam = tank([0.0; 3], [0.1, 0.05, 0.2], 0.0125, "", &held, &far);
     let end = if quick { 0.4 } else { 1.5 };
     let dam = trial("impact", "dam break against a wall", (1e-3, end), expected, dam);
-    vec![struck, dam]
+    vec![slow, fast, dam]
 }
 
 /// Fluid without sides.
@@ -93,6 +105,17 @@ fn flights(effort: Effort) -> Vec<Trial> {
     ]
 }
 
+/// Air that cannot leave: a fluid without air closes on it.
+fn bubbles(effort: Effort) -> Vec<Trial> {
+    let end = if effort == Effort::Quick { 0.3 } else { 0.8 };
+    let expected = Expected::Run { volume_error: 2e-2, speed: MOVING };
+    let far = plane("far-wall", [0.3, 0.0, 0.0], [-1.0, 0.0, 0.0]);
+    let lid = plane("lid", [0.0, 0.0, 0.16], [0.0, 0.0, -1.0]);
+    let held = ["x-min", "y-min", "y-max", "z-min"];
+    let dam = tank([0.0; 3], [0.1, 0.05, 0.15], 0.0125, "", &held, &(far + &lid));
+    vec![trial("edge", "air shut in under a lid", (1e-3, end), expected, dam)]
+}
+
 /// A tank with an open side under gravity and a pull.
 fn emptied(effort: Effort) -> Vec<Trial> {
     let end = if effort == Effort::Quick { 0.5 } else { 2.0 };
@@ -108,6 +131,9 @@ fn emptied(effort: Effort) -> Vec<Trial> {
 
 /// What cannot be computed says why.
 fn refusals() -> Vec<Trial> {
-    let scene = tank([0.0; 3], [1.0, 1.0, 0.0], 0.1, "", &SIDES, "");
-    vec![trial("refusal", "all nodes in a plane", (1e-3, 0.1), Expected::Refusal("fluid.mesh.box"), scene)]
+    let refused = |what: &str, upper: [f64; 3]| {
+        let scene = tank([0.0; 3], upper, 0.1, "", &SIDES, "");
+        trial("refusal", what, (1e-3, 0.1), Expected::Refusal("fluid.mesh.box"), scene)
+    };
+    vec![refused("all nodes in a plane", [1.0, 1.0, 0.0]), refused("all nodes on a line", [1.0, 0.0, 0.0])]
 }

@@ -70,3 +70,11 @@ pub fn viscous_stress<const D: usize>(viscosity: f64, slope: &[Vector<D>; D]) ->
         })
     })
 }
+
+/// γ̇ = √(½E:E) (1/s), E = ∇u + ∇uᵀ − ⅔∇·u I, in the plane with its entry across it, which is what the trace lacks.
+pub fn shear_rate<const D: usize>(slope: &[Vector<D>; D]) -> f64 {
+    let strain_rate = viscous_stress(1.0, slope);
+    let trace: f64 = (0..D).map(|k| strain_rate[k][k]).sum();
+    let within: f64 = strain_rate.as_flattened().iter().map(|entry| entry * entry).sum();
+    (0.5 * (within + trace * trace)).sqrt()
+}

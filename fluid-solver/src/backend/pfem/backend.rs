@@ -12,7 +12,7 @@ use super::wall::Wall;
 use crate::backend::{Attempt, FluidBackend, PointValue, Response, Solution, Stages, Step};
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
-use crate::grains::{Medium, Spreading};
+use crate::grains::Spreading;
 use case_io::checkpoint::{Checkpoint, CheckpointWriter};
 use interface::frames::{GrainRow, ReactionRow, SampleRow};
 use interface::ledger::FluidLedger;
@@ -28,8 +28,8 @@ pub struct Setting<const D: usize> {
     pub size: TargetSize,
     /// Gravity and body force (m/s²).
     pub acceleration: Vector<D>,
-    /// What it is.
-    pub medium: Medium,
+    /// ρ (kg/m³).
+    pub density: f64,
     /// Whether it feels the grains.
     pub response: Response,
     /// On which nodes the grains act.
@@ -68,9 +68,9 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
         renewal: Box<dyn Renewal<D, N>>,
         gates: Gates<D>,
     ) -> Self {
-        let state = State::start(cloud, setting.medium.density, &setting.acceleration);
+        let state = State::start(cloud, setting.density, &setting.acceleration);
         let grains =
-            GrainsInCloud::new(setting.medium, setting.depth, state.cloud.place.len(), setting.spreading);
+            GrainsInCloud::new(*flow.fluid(), setting.depth, state.cloud.place.len(), setting.spreading);
         Self {
             setting,
             state,
@@ -110,9 +110,8 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
 
     /// Energy of the fluid between the grains (J; per m of depth in 2D).
     fn energy(&self) -> f64 {
-        let Setting { medium, acceleration, .. } = &self.setting;
-        let (kinetic, potential) =
-            self.state.energies(medium.density, acceleration, self.grains.void_fraction());
+        let Setting { density, acceleration, .. } = &self.setting;
+        let (kinetic, potential) = self.state.energies(*density, acceleration, self.grains.void_fraction());
         kinetic + potential
     }
 
@@ -156,7 +155,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
                 ledger.boundary[k] += boundary;
                 ledger.scale += rate.abs() + body.abs() + boundary.abs();
             }
-            ledger.volume += mass / self.setting.medium.density;
+            ledger.volume += mass / self.setting.density;
             ledger.kinetic_energy += 0.5 * mass * dot(&solution.end_velocity[i], &solution.end_velocity[i]);
         }
         self.grains.book(step, solved(solution), self.setting.response, &mut ledger);
@@ -263,14 +262,14 @@ impl<const D: usize, const N: usize> FluidBackend for Pfem<D, N> {
 
     fn commit(&mut self, step: Step) -> Result<(), FluidError> {
         let Some(solution) = self.solution.take() else { return Ok(()) };
-        let Setting { walls, size, response, acceleration, medium, .. } = &mut self.setting;
+        let Setting { walls, size, response, acceleration, density, .. } = &mut self.setting;
         size.see_grains(self.grains.void_fraction());
         let work = solution.reaction.iter().zip(&solution.velocity).map(|(force, v)| dot(force, v));
         // What friction turns into heat walls did not give.
         self.state.given += step.length * (work.sum::<f64>() + solution.friction);
         self.residuals = solution.residuals;
         let passed = self.gates.advance(&mut self.state.cloud, walls, step, &solution, acceleration);
-        self.state.pass(&passed, medium.density);
+        self.state.pass(&passed, *density);
         if *response == Response::TwoWay {
             self.state.books.volume.target = self.state.fluid_volume + self.grains.wetted_volume();
         }

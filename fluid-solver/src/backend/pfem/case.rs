@@ -12,7 +12,7 @@ use crate::backend::{FluidBackend, Response};
 use crate::boundary::velocity_field;
 use crate::element::simplex::{Vector, distance, longest_edge, volume_and_gradients};
 use crate::error::FluidError;
-use crate::grains::{Medium, Spreading};
+use crate::grains::Spreading;
 use crate::mesh::bins::{Bins, bounds};
 use crate::mesh::{self, Mesh};
 use case_io::document::{self, Case, Dimension, Fluid, MeshSource, Region};
@@ -82,7 +82,7 @@ fn backend<const D: usize, const N: usize>(
         acceleration: std::array::from_fn(|k| gravity[k] + body_force[k]),
         response,
         spreading: spreading(fluid),
-        medium: Medium { density: fluid.density.si(), viscosity: fluid.viscosity.si() },
+        density: fluid.density.si(),
         depth: if D == 2 { table.depth() } else { 1.0 },
         surface: mesh.as_ref().map(Mesh::surface),
     };

@@ -97,7 +97,7 @@ fn by_rows<T: Copy, const K: usize>(flat: Vec<T>) -> Vec<[T; K]> {
 
 /// The accounts of the books, in the order in which they are written.
 fn accounts<const D: usize>(books: &mut Books<D>) -> Vec<&mut Account> {
-    let Books { volume, energy: EnergyBooks { kinetic, blows, moment } } = books;
+    let Books { volume, energy: EnergyBooks { kinetic, limiter, moment } } = books;
     let VolumeBooks {
         start: _,
         target: _,
@@ -113,7 +113,7 @@ fn accounts<const D: usize>(books: &mut Books<D>) -> Vec<&mut Account> {
         largest_error: _,
     } = volume;
     let of_volume = [flow, management, overlap, merging, separation, absorption, correction];
-    of_volume.into_iter().chain([kinetic, blows]).chain(moment).collect()
+    of_volume.into_iter().chain([kinetic, limiter]).chain(moment).collect()
 }
 
 fn written<const D: usize>(books: &Books<D>) -> Vec<f64> {

@@ -1,7 +1,7 @@
 //! Grains in a cloud: where they are in it, what they do to a step, and what they feel of it.
 
 use super::cloud::{Cloud, OUTSIDE};
-use super::flow::fullness;
+use super::flow::{Fluid, viscosity};
 use super::remesh::{transfer, volumes};
 use crate::backend::{Response, Step};
 use crate::element::simplex::{Vector, dot, in_space};
@@ -33,7 +33,7 @@ pub struct Solved<'a, const D: usize> {
 /// the fields are recovered on the mesh that the equations hold on. So what grains take is what the fluid gives, to
 /// round-off, iteration by iteration.
 pub struct GrainsInCloud<const D: usize, const N: usize> {
-    medium: Medium,
+    fluid: Fluid,
     /// Depth of the slab in 2D (m).
     depth: f64,
     mesh: Mesh<D, N>,
@@ -68,10 +68,10 @@ pub struct GrainsInCloud<const D: usize, const N: usize> {
 
 impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     /// No grains among this many nodes; in 2D a slab of `depth` (m).
-    pub fn new(medium: Medium, depth: f64, nodes: usize, spreading: Spreading) -> Self {
+    pub fn new(fluid: Fluid, depth: f64, nodes: usize, spreading: Spreading) -> Self {
         let mesh = Mesh::of_particles(vec!["free-surface".to_string(), "walls".to_string()]);
         Self {
-            medium,
+            fluid,
             depth,
             corners: Corners::default(),
             placing: FreeSurface::new(&mesh, spreading),
@@ -309,12 +309,23 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
         if std::mem::take(&mut self.resumed) {
             return;
         }
-        self.samples.clear();
+        let mut samples = std::mem::take(&mut self.samples);
+        samples.clear();
         if !self.rows.is_empty() {
             self.grains.sample(&self.velocity, &self.recovered);
-            let row = |row: usize| self.grains.row(row, &self.measure, self.medium, self.depth);
-            self.samples.extend((0..self.rows.len()).map(row));
+            let row = |row: usize| self.grains.row(row, &self.measure, self.medium(row), self.depth);
+            samples.extend((0..self.rows.len()).map(row));
         }
+        self.samples = samples;
+    }
+
+    /// What a grain is in, by the fields sampled last.
+    fn medium(&self, row: usize) -> Medium {
+        let Fluid { density, rheology, .. } = &self.fluid;
+        let (grain, (velocity, shear_rate)) = (&self.rows[row], self.grains.motion(row));
+        let slip = (0..D).map(|k| (velocity[k] - grain.velocity[k]).powi(2)).sum::<f64>().sqrt();
+        let viscosity = rheology.around_grain::<D>(shear_rate, slip, 2.0 * grain.radius);
+        Medium { density: *density, viscosity }
     }
 
     /// What a grain samples.
@@ -341,11 +352,12 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// Recovers the fields on the mesh as it is.
     fn recover(&mut self, velocity: &[Vector<D>], pressure: &[f64], rate: &[Vector<D>]) {
-        let (mesh, viscosity) = (&self.mesh, self.medium.viscosity);
-        let cells = mesh.volumes().iter().enumerate();
+        let (mesh, rheology) = (&self.mesh, &self.fluid.rheology);
         self.viscosity.clear();
-        self.viscosity
-            .extend(cells.map(|(cell, &volume)| viscosity * fullness(&mesh.vertices(cell), volume)));
+        self.viscosity.extend((0..mesh.volumes().len()).map(|cell| {
+            let v = mesh.cell_nodes(cell).map(|node| velocity[node as usize]);
+            viscosity(&mesh.vertices(cell), &v, rheology)
+        }));
         let felt = Felt {
             velocity,
             pressure,

@@ -17,11 +17,11 @@ pub fn audits<const D: usize, const N: usize>(
     setting: &Setting<D>,
     grains: &GrainsInCloud<D, N>,
 ) -> Vec<(&'static str, f64)> {
-    let (books, depth, density) = (&state.books.volume, setting.depth, setting.medium.density);
+    let (books, depth, density) = (&state.books.volume, setting.depth, setting.density);
     let (kinetic, potential) = state.energies(density, &setting.acceleration, grains.void_fraction());
     let remeshing = &state.books.energy;
     let lifted: f64 = (0..D).map(|k| setting.acceleration[k] * remeshing.moment[k].sum).sum();
-    let by_remeshing = density * (remeshing.kinetic.sum - remeshing.blows.sum - lifted);
+    let by_remeshing = density * (remeshing.kinetic.sum - remeshing.limiter.sum - lifted);
     vec![
         ("volume[m^3]", depth * (books.cells + books.drops)),
         ("volume-error[-]", books.error()),
@@ -41,7 +41,7 @@ pub fn audits<const D: usize, const N: usize>(
         ("potential-energy[J]", depth * potential),
         ("energy[J]", depth * (kinetic + potential)),
         ("energy-by-remeshing[J]", depth * by_remeshing),
-        ("energy-by-blows[J]", depth * density * remeshing.blows.sum),
+        ("energy-by-limiter[J]", depth * density * remeshing.limiter.sum),
         ("energy-lost[J]", depth * (state.given - kinetic - potential)),
     ]
 }
@@ -62,12 +62,12 @@ pub fn statistics<const D: usize, const N: usize>(
     volumes(cloud, &mut cell_volumes, &mut mass);
     mass.iter_mut().zip(grains.void_fraction()).for_each(|(mass, void)| *mass *= void);
     let momentum = |k: usize| mass.iter().zip(&cloud.velocity).map(|(mass, v)| mass * v[k]).sum::<f64>();
-    found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.medium.density * momentum(k))));
+    found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.density * momentum(k))));
     const ENTERED: [&str; 3] =
         ["momentum-entered-x[kg m/s]", "momentum-entered-y[kg m/s]", "momentum-entered-z[kg m/s]"];
     const LEFT: [&str; 3] = ["momentum-left-x[kg m/s]", "momentum-left-y[kg m/s]", "momentum-left-z[kg m/s]"];
     for (names, amount) in [(ENTERED, &state.passed.entered), (LEFT, &state.passed.left)] {
-        found.extend((0..D).map(|k| (names[k], depth * setting.medium.density * amount.momentum[k])));
+        found.extend((0..D).map(|k| (names[k], depth * setting.density * amount.momentum[k])));
     }
     // A fluid without nodes has no extremes.
     let largest = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max).unwrap_or(0.0);

@@ -2,8 +2,10 @@
 
 mod bed;
 mod free_grains;
+mod mobility;
 mod momentum;
 mod nodal;
+mod plastic;
 mod scene;
 mod surface;
 mod volume;

@@ -1,6 +1,7 @@
 //! Momentum crosses between grains and fluid to round-off.
 
 use super::scene::{DEPTH, Random, SIDE, Tank, defect, grains};
+use crate::support::WATER;
 use fluid_solver::backend::pfem::grains::GrainsInCloud;
 use fluid_solver::backend::pfem::wall::Grip;
 use fluid_solver::grains::Spreading;
@@ -8,7 +9,7 @@ use interface::frames::{GrainRow, ReactionRow};
 use interface::ledger::FluidLedger;
 
 /// Reactions with β_e from 0 to 10⁴ m/Δt.
-fn reactions(grains: &[GrainRow], step: f64, random: &mut Random) -> Vec<ReactionRow> {
+pub fn reactions(grains: &[GrainRow], step: f64, random: &mut Random) -> Vec<ReactionRow> {
     let reaction = |(p, row): (usize, &GrainRow)| ReactionRow {
         force: std::array::from_fn(|k| {
             if row.position[k] == 0.0 { 0.0 } else { 0.1 * row.mass * (random.unit() - 0.5) }
@@ -22,7 +23,7 @@ fn reactions(grains: &[GrainRow], step: f64, random: &mut Random) -> Vec<Reactio
     grains.iter().enumerate().map(reaction).collect()
 }
 
-fn ledger_closes<const D: usize, const N: usize>(mut tank: Tank<D, N>, count: usize) {
+pub fn ledger_closes<const D: usize, const N: usize>(mut tank: Tank<D, N>, count: usize) {
     let mut random = Random(3);
     // The highest grains are dry, others in the surface.
     let mut rows = grains::<D>(count, 1.1 * SIDE, &mut random);
@@ -96,8 +97,8 @@ fn momentum_closes_to_round_off_in_space() {
 
 #[test]
 fn momentum_closes_to_round_off_with_grains_on_single_nodes() {
-    ledger_closes(Tank::<2, 3>::spread(12, Grip::NoSlip, Spreading::Nodal), 150);
-    ledger_closes(Tank::<3, 4>::spread(6, Grip::NoSlip, Spreading::Nodal), 600);
+    ledger_closes(Tank::<2, 3>::of(WATER, 12, Grip::NoSlip, Spreading::Nodal), 150);
+    ledger_closes(Tank::<3, 4>::of(WATER, 6, Grip::NoSlip, Spreading::Nodal), 600);
 }
 
 #[test]

@@ -1,12 +1,16 @@
 //! Grains that have a node of their own.
 
-use crate::support::{block, tank, touch};
+use super::scene::Tank;
+use crate::support::{WATER, block, tank, touch};
+use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::Renewal;
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::remesh::{Books, Recognition, Remesher, SpaceRemesher, TargetSize};
 use fluid_solver::backend::pfem::seats::seat;
 use fluid_solver::backend::pfem::wall::Grip;
-use fluid_solver::element::simplex::{Vector, distance};
+use fluid_solver::element::simplex::{Vector, distance, dot, volume_and_areas};
+use fluid_solver::grains::Spreading;
+use interface::frames::GrainRow;
 
 const SIZE: f64 = 0.1;
 
@@ -59,6 +63,26 @@ fn a_grain_beside_another_or_outside_has_none_of_its_own() {
     let mut cloud = block::<2, 3>([1.0; 2], [10; 2], 0.2);
     let sizes = vec![SIZE; cloud.place.len()];
     assert_eq!(seat(&mut cloud, &[[0.43, 0.52], [0.46, 0.52], [0.43, 1.01]], &sizes).len(), 1);
+}
+
+#[test]
+fn nodes_at_a_cell_that_turns_over_in_a_window_keep_a_size_so_that_grains_there_are_wet() {
+    let mut tank = Tank::<3, 4>::of(WATER, 6, Grip::Slip, Spreading::Nodal);
+    tank.remesh();
+    let volume = |cell: &[u32; 4]| volume_and_areas(&tank.cloud.vertices(cell)).0;
+    let thinnest = *tank.cloud.cells.iter().min_by(|a, b| volume(a).total_cmp(&volume(b))).unwrap();
+    let (volume, areas) = volume_and_areas(&tank.cloud.vertices(&thinnest));
+    // Its first corner goes as far behind the face opposite as it is in front of it.
+    let (node, length) = (thinnest[0] as usize, 1e-3);
+    let square = dot(&areas[0], &areas[0]);
+    tank.cloud.velocity[node] = areas[0].map(|a| -2.0 * volume * a / (square * length));
+    let place = tank.cloud.place[node];
+    let grain = [GrainRow { position: place, radius: 1e-4, mass: 1e-9, ..GrainRow::default() }];
+    tank.grains.populate(&tank.cloud, &grain).unwrap();
+    tank.grains.project(&tank.cloud, Step { time: 0.0, length }, &grain).unwrap();
+    assert!(tank.grains.mesh().volumes().iter().any(|volume| *volume < 0.0));
+    assert!(tank.grains.mesh().size().iter().all(|size| *size > 0.0));
+    assert!(tank.grains.wetted_volume() > 0.0);
 }
 
 #[test]

@@ -3,13 +3,13 @@
 use crate::support::{G, WATER, block, flow, gravity, tank, touch};
 use fluid_solver::backend::pfem::Renewal;
 use fluid_solver::backend::pfem::cloud::Cloud;
-use fluid_solver::backend::pfem::flow::{Flow, FlowSolution, Forces};
+use fluid_solver::backend::pfem::flow::{Flow, FlowSolution, Fluid, Forces};
 use fluid_solver::backend::pfem::grains::{GrainsInCloud, Solved};
 use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, TargetSize};
 use fluid_solver::backend::pfem::wall::{Grip, Wall};
 use fluid_solver::backend::{Response, Step};
 use fluid_solver::element::simplex::{in_space, longest_edge, volume_and_gradients};
-use fluid_solver::grains::{Medium, Spreading};
+use fluid_solver::grains::Spreading;
 use interface::frames::{GrainRow, ReactionRow};
 use interface::ledger::FluidLedger;
 
@@ -31,19 +31,18 @@ pub struct Tank<const D: usize, const N: usize> {
 impl<const D: usize, const N: usize> Tank<D, N> {
     /// Water at rest, as high as wide.
     pub fn new(cells: usize, grip: Grip) -> Self {
-        Self::spread(cells, grip, Spreading::Kernel)
+        Self::of(WATER, cells, grip, Spreading::Kernel)
     }
 
-    /// The same, its grains on nodes by some way.
-    pub fn spread(cells: usize, grip: Grip, spreading: Spreading) -> Self {
+    /// Another fluid in it, its grains on nodes by some way.
+    pub fn of(fluid: Fluid, cells: usize, grip: Grip, spreading: Spreading) -> Self {
         let size = [SIDE; D];
         let (mut cloud, walls) = (block::<D, N>(size, [cells; D], 0.2), tank(size, grip));
         touch(&mut cloud, &walls);
-        cloud.pressure = cloud.place.iter().map(|x| WATER.density * G * (SIDE - x[D - 1])).collect();
+        cloud.pressure = cloud.place.iter().map(|x| fluid.density * G * (SIDE - x[D - 1])).collect();
         let depth = if D == 2 { DEPTH } else { 1.0 };
-        let medium = Medium { density: WATER.density, viscosity: 1e-3 };
-        let grains = GrainsInCloud::new(medium, depth, cloud.place.len(), spreading);
-        Self { flow: flow(WATER, 1e-8), cloud, walls, grains, time: 0.0 }
+        let grains = GrainsInCloud::new(fluid, depth, cloud.place.len(), spreading);
+        Self { flow: flow(fluid, 1e-8), cloud, walls, grains, time: 0.0 }
     }
 
     /// A window of some iterations with these grains at its end; what the last gave.

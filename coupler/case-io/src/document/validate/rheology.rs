@@ -1,14 +1,17 @@
 //! `[fluid.rheology]`
 
 use super::rules::Rules;
-use crate::document::{Document, Rheology, RheologyLaw};
+use crate::document::{Coupling, Document, Drag, Rheology, RheologyLaw, Scheme};
 use crate::error::CaseError;
 
 pub(super) fn check(document: &Document, rheology: &Rheology, rules: &Rules) -> Result<(), CaseError> {
     let table = "fluid.rheology";
-    if document.grains.is_some() {
-        let found = "no law of drag knows a yield stress";
-        return rules.refuse(table, found, "a case without [grains]", "delete one of both");
+    let corrects = |coupling: &Coupling| {
+        coupling.self_disturbance && coupling.drag != Drag::None && coupling.scheme != Scheme::OneWay
+    };
+    if document.grains.is_some() && document.coupling.as_ref().is_some_and(corrects) {
+        let found = "found true, but a grain's own disturbance is known of one viscosity";
+        return rules.refuse("coupling.self-disturbance", found, "false with [fluid.rheology]", "");
     }
     rules.positive(&format!("{table}.yield-stress"), rheology.yield_stress)?;
     rules.optional_positive(&format!("{table}.creep-rate"), rheology.creep_rate)?;
@@ -33,7 +36,7 @@ mod tests {
         "[fluid.rheology]\nlaw = \"herschel-bulkley\"\nyield-stress = \"20 Pa\"\nindex = 0.5\n[fluid.mesh]";
 
     #[test]
-    fn a_yield_stress_has_a_law_and_the_fluid_no_grains() {
+    fn a_yield_stress_has_a_law_and_grains_in_it_no_correction_of_their_disturbance() {
         let (mud, paste) = (TANK.replace("[fluid.mesh]", MUD), TANK.replace("[fluid.mesh]", PASTE));
         let rheology = document(&mud).fluid.unwrap().rheology.unwrap();
         // Even at 20 Pa/(1 mPa s).
@@ -93,7 +96,7 @@ mod tests {
             &[(
                 "[fluid.mesh]",
                 MUD,
-                "case.toml:30: fluid.rheology: no law of drag knows a yield stress; allowed: a case without [grains]; delete one of both",
+                "case.toml:41: coupling.self-disturbance: found true, but a grain's own disturbance is known of one viscosity; allowed: false with [fluid.rheology]",
             )],
         );
     }

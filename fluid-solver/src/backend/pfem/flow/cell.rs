@@ -37,9 +37,14 @@ fn size<const D: usize, const N: usize>(corners: &[Vector<D>; N], volume: f64) -
     volume.max(SLIVER[D - 2] * regular_volume(D) * longest_edge(corners).powi(D as i32))
 }
 
-/// [`Cell::fullness`] of a cell with these corners and this volume.
-pub fn fullness<const D: usize, const N: usize>(corners: &[Vector<D>; N], volume: f64) -> f64 {
-    volume / size(corners, volume)
+/// μ of a cell whose corners have these velocities, less in slivers: what the flow multiplies with V and ∇v (Pa s).
+pub fn viscosity<const D: usize, const N: usize>(
+    corners: &[Vector<D>; N],
+    v: &[Vector<D>; N],
+    rheology: &Rheology,
+) -> f64 {
+    let cell = Cell::new(corners, v, 0.0, rheology);
+    cell.fullness * cell.viscosity
 }
 
 impl<const D: usize, const N: usize> Cell<D, N> {

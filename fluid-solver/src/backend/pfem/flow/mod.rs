@@ -34,7 +34,7 @@ mod topology;
 mod velocity;
 mod wall_function;
 
-pub(super) use cell::fullness;
+pub(super) use cell::{regular_volume, viscosity};
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
 pub use scheme::Scheme;

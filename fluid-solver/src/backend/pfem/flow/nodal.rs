@@ -128,21 +128,26 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         let Fields { velocity, pressure, excess, bulk, part, grains } = fields;
         for_each(rows, |index, rows| {
             let nodes = topology.cells()[index].map(|node| node as usize);
-            if let Some(grains) = &grains {
-                let corners = grains.corners(part, &nodes, (velocity, pressure), excess);
-                *rows = grains.cells[index].rows(&cells[index], &corners, curvature);
-                return;
-            }
-            let (v, p) = (nodes.map(|node| velocity[node]), nodes.map(|node| pressure[node]));
-            *rows = cells[index].rows(&v, &p, &nodes.map(|node| excess[node]), curvature);
+            let (cell, v) = (&cells[index], nodes.map(|node| velocity[node]));
+            *rows = match &grains {
+                Some(grains) => {
+                    let corners = grains.corners(part, &nodes, (velocity, pressure), excess);
+                    grains.cells[index].rows(cell, &corners, curvature)
+                }
+                None => {
+                    let p = nodes.map(|node| pressure[node]);
+                    cell.rows(&v, &p, &nodes.map(|node| excess[node]), curvature)
+                }
+            };
             if part == Part::Affine {
                 return;
             }
             if let Some(tangent) = tangents.get(index) {
-                tangent.relieve(&cells[index], &v, &mut rows.0);
+                let areas = grains.map_or(cell.areas, |grains| grains.cells[index].areas(cell));
+                tangent.relieve(cell, &areas, &v, &mut rows.0);
             }
             if bulk > 0.0 {
-                cells[index].resist_expansion(bulk, &v, &mut rows.0);
+                cell.resist_expansion(bulk, &v, &mut rows.0);
             }
         });
         for_each(momentum, |node, force| {

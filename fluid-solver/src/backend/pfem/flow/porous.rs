@@ -58,6 +58,12 @@ impl<const D: usize, const N: usize> Porous<D, N> {
         cell.volume * self.void.first(corner)
     }
 
+    /// ∫∇(εN_i) (m²).
+    pub fn areas(&self, cell: &Cell<D, N>) -> [Vector<D>; N] {
+        let void = self.void.mean();
+        cell.areas.map(|area| std::array::from_fn(|k| void * area[k] + self.slope[k] / N as f64))
+    }
+
     /// ∫p∇(εN_i) (N).
     pub fn pressure_forces(&self, cell: &Cell<D, N>, p: &[f64; N]) -> [Vector<D>; N] {
         let pressure = Average::new(*p);
@@ -81,9 +87,9 @@ impl<const D: usize, const N: usize> Porous<D, N> {
         let pressed = at.compliance.iter().map(|c| c.pressed).sum::<f64>() / N as f64;
         let change = sum(&cell.areas, &at.pressure_change);
 
+        let areas = self.areas(cell);
         let forces = std::array::from_fn(|i| {
-            // ∫∇(εN_i)
-            let area: Vector<D> = std::array::from_fn(|k| void * cell.areas[i][k] + self.slope[k] / N as f64);
+            let area = &areas[i];
             std::array::from_fn(|k| {
                 let viscous: f64 = (0..D).map(|l| (gradient[k][l] + gradient[l][k]) * area[l]).sum();
                 shear * (viscous - 2.0 / 3.0 * rate * area[k]) - pressure[i][k] + relayed.first(i) * change[k]

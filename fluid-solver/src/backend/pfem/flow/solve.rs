@@ -154,7 +154,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let stated = self.scheme.implicitness(self.control.implicitness);
         self.implicitness = match &forces.grains {
             // What a yield stress has stopped would be turned round in each step.
-            None if !self.fluid.rheology.is_newtonian() => 1.0,
+            _ if !self.fluid.rheology.is_newtonian() => 1.0,
             Some(grains) => stated.max(least_implicitness(grains.void_fraction)),
             None => stated,
         };

@@ -47,17 +47,19 @@ impl<const D: usize> Tangent<D> {
         Self { softening, direction, stress_direction, stress: self.stress }
     }
 
-    /// Takes ∫(μδE − δτ)∇N_i off the forces on the corners (N).
+    /// Takes ∫(μδE − δτ)∇N_i, or ∇(εN_i) where grains are, off the forces on the corners (N); `areas` are the integrals of
+    /// these gradients (m²).
     pub fn relieve<const N: usize>(
         &self,
         cell: &Cell<D, N>,
+        areas: &[Vector<D>; N],
         dv: &[Vector<D>; N],
         forces: &mut [Vector<D>; N],
     ) {
         let change = cell.strain_rate(dv);
         let along = 0.5 * self.softening * product(&self.direction, &change);
         let across = 0.5 * self.softening * product(&self.stress_direction, &change);
-        for (force, area) in forces.iter_mut().zip(&cell.areas) {
+        for (force, area) in forces.iter_mut().zip(areas) {
             for k in 0..D {
                 force[k] -=
                     along * dot(&self.stress_direction[k], area) + across * dot(&self.direction[k], area);
@@ -108,7 +110,7 @@ mod tests {
     fn before_a_step_the_tangent_is_the_derivative_of_the_forces() {
         let cell = Cell::new(&CORNERS, &V, 1.0, &MUD);
         let mut found = forces(&CHANGE, &cell);
-        Tangent::UNKNOWN.at(&cell, &V, &MUD).relieve(&cell, &CHANGE, &mut found);
+        Tangent::UNKNOWN.at(&cell, &V, &MUD).relieve(&cell, &cell.areas, &CHANGE, &mut found);
         let after = |t: f64| {
             let v: [[f64; 3]; 4] =
                 std::array::from_fn(|i| std::array::from_fn(|k| V[i][k] + t * CHANGE[i][k]));
@@ -131,7 +133,7 @@ mod tests {
         let tangent = tangent.at(&cell, &V, &MUD);
         let through = |v: &[[f64; 3]; 4]| {
             let mut found = forces(v, &cell);
-            tangent.relieve(&cell, v, &mut found);
+            tangent.relieve(&cell, &cell.areas, v, &mut found);
             found
         };
         let (one, other) = (work(&through(&V), &CHANGE), work(&through(&CHANGE), &V));

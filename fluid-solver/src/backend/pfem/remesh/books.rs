@@ -81,15 +81,15 @@ pub struct Energy<const D: usize> {
 pub struct EnergyBooks<const D: usize> {
     /// Change of ∫ ½ |v|² dV.
     pub kinetic: Account,
-    /// Of it what was taken after blows: volume gained in one would bring its energy with it.
-    pub blows: Account,
+    /// Of it what was taken from the relative motion of nodes: volume gained in a blow would bring its energy with it.
+    pub limiter: Account,
     /// Change of ∫ x dV.
     pub moment: [Account; D],
 }
 
 impl<const D: usize> Default for EnergyBooks<D> {
     fn default() -> Self {
-        Self { kinetic: Account::default(), blows: Account::default(), moment: [Account::default(); D] }
+        Self { kinetic: Account::default(), limiter: Account::default(), moment: [Account::default(); D] }
     }
 }
 

@@ -142,7 +142,7 @@ impl Remesher<2, 3> {
         if events.impact() {
             let surplus = kinetic_energy(cloud, &self.cell_volumes) - energy_before.kinetic;
             let taken = transfer::take_surplus(cloud, &self.draft.mass, &self.node_volumes, surplus);
-            books.energy.blows.add(-taken);
+            books.energy.limiter.add(-taken);
         }
         books.volume.drops = cloud.drop.iter().sum();
         books.energy.add(&energy_before, &energy(cloud));

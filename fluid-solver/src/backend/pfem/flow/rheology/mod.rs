@@ -1,5 +1,6 @@
 //! How viscous the fluid is at a rate of shear.
 
+mod around_grain;
 mod herschel_bulkley;
 mod newtonian;
 

@@ -94,7 +94,10 @@ impl Renewal<3, 4> for SpaceRemesher {
             self.recogniser.recognise(self.recognition, cloud, draft, tetrahedra);
             spent.recognition += clock.lap();
             settled = self.patches.settle(cloud, draft, tetrahedra, (walls, time), book, &mut events);
-            tetrahedra.take(cloud, draft);
+            tetrahedra.take(cloud);
+            self.recogniser.restore_edges(self.recognition, cloud);
+            draft.edges.clear();
+            draft.compact(cloud);
             spent.settling += clock.lap();
         }
         book.cells = volumes(cloud, cell_volumes, node_volumes);
@@ -107,11 +110,11 @@ impl Renewal<3, 4> for SpaceRemesher {
             events.closed = u32::from(overlap < -BLOW * smallest.powi(3));
         }
         transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);
-        if events.impact() {
-            let surplus = kinetic_energy(cloud, cell_volumes) - energy_before.kinetic;
-            let taken = transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
-            books.energy.blows.add(-taken);
-        }
+        let gained = kinetic_energy(cloud, cell_volumes) - energy_before.kinetic;
+        // New cells between the same nodes gain or lose some: in all they may not gain.
+        let surplus = if events.impact() { gained } else { gained + books.energy.kinetic.sum.min(0.0) };
+        let taken = transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
+        books.energy.limiter.add(-taken);
         books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
         cloud.relieve_drops();
         spent.transfer += clock.lap();

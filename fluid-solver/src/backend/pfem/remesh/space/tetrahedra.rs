@@ -60,8 +60,8 @@ impl Tetrahedra {
         volume_and_areas(&cloud.vertices(&self.made.cells[cell])).0
     }
 
-    /// Makes the fluid the cells of the cloud and takes the nodes out that are to go.
-    pub fn take(&mut self, cloud: &mut Cloud<3, 4>, draft: &mut Draft<3>) {
+    /// Makes the fluid the cells of the cloud.
+    pub fn take(&mut self, cloud: &mut Cloud<3, 4>) {
         self.number.clear();
         let mut count = 0;
         for &fluid in &self.fluid {
@@ -75,7 +75,5 @@ impl Tetrahedra {
             cloud.cells.push(self.made.cells[cell]);
             cloud.neighbours.push(self.made.neighbours[cell].map(number));
         }
-        draft.edges.clear();
-        draft.compact(cloud);
     }
 }

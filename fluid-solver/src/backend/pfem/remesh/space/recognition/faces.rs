@@ -42,9 +42,22 @@ impl Faces {
         (slot.turns != 0).then_some(slot.turns * turn > 0)
     }
 
-    /// Corners of the faces that were never met.
-    pub fn missing(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
-        self.slots.iter().filter(|slot| slot.turns != 0 && !slot.met).map(|slot| slot.corners)
+    /// Whether a face is one of the surface, turning as this one does, or the other way round.
+    pub fn side(&self, face: [u32; 3]) -> Option<bool> {
+        let (corners, turn) = ascending(face);
+        let turns = self.slots[self.slot(corners)].turns;
+        (turns != 0).then_some(turns * turn > 0)
+    }
+
+    /// Whether a face of the table was met.
+    pub fn was_met(&self, face: [u32; 3]) -> bool {
+        self.slots[self.slot(ascending(face).0)].met
+    }
+
+    /// Whether a face is one of the surface that was never met.
+    pub fn is_missing(&self, face: [u32; 3]) -> bool {
+        let slot = &self.slots[self.slot(ascending(face).0)];
+        slot.turns != 0 && !slot.met
     }
 
     /// Where a face is, or would be.
@@ -89,6 +102,13 @@ mod tests {
         faces.read(&[[3, 1, 2], [5, 6, 7], [7, 6, 5], [1, 2, 9]]);
         assert_eq!([[1, 2, 3], [2, 1, 3]].map(|face| faces.meet(face)), [Some(true), Some(false)]);
         assert_eq!([[5, 6, 7], [1, 2, 4]].map(|face| faces.meet(face)), [None, None]);
-        assert_eq!(faces.missing().collect::<Vec<_>>(), [[1, 2, 9]]);
+        assert_eq!(
+            [[1, 2, 9], [1, 2, 3], [5, 6, 7]].map(|face| faces.is_missing(face)),
+            [true, false, false]
+        );
+        assert_eq!(
+            [[9, 1, 2], [2, 1, 9], [1, 2, 4]].map(|face| faces.side(face)),
+            [Some(true), Some(false), None]
+        );
     }
 }

@@ -1,8 +1,10 @@
 //! Which tetrahedra between the moved nodes are fluid.
 
 mod alpha_shape;
+mod diagonals;
 mod faces;
 mod moved_domain;
+mod quads;
 mod samples;
 mod stars;
 
@@ -30,6 +32,13 @@ impl Recogniser {
         match rule {
             Recognition::MovedDomain => self.moved_domain.recognise(cloud, draft, tetrahedra),
             Recognition::AlphaShape { alpha } => alpha_shape::recognise(cloud, draft, alpha, tetrahedra),
+        }
+    }
+
+    /// Gives the fluid, now the cells of the cloud, the edges of the moved surface that it lacks.
+    pub fn restore_edges(&mut self, rule: Recognition, cloud: &mut Cloud<3, 4>) {
+        if rule == Recognition::MovedDomain {
+            self.moved_domain.restore_edges(cloud);
         }
     }
 }

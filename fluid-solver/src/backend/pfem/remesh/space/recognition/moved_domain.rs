@@ -1,14 +1,17 @@
 //! What lay inside of the moved surface is fluid.
 //!
 //! Most faces of the surface are faces of the new cells too: these are fluid on one side of it and void on the other. A
-//! cell at no such face is fluid if it has an inner corner, else what the cells around it are. Only cells at what is missing
+//! cell at no such face is fluid if it has an inner corner, else what the cells around it are. Two faces that have the other
+//! diagonal in the new cells count as these, and get theirs back in the end. Only cells at what then is missing
 //! of the surface, and those of which that is not enough to tell, are sampled; those about half of which is covered make up
 //! the volume.
 
 use super::super::super::draft::Draft;
 use super::super::surface::{OUTWARD, enclosed};
 use super::super::tetrahedra::Tetrahedra;
+use super::diagonals::Diagonals;
 use super::faces::Faces;
+use super::quads::Quads;
 use super::samples::covered;
 use super::stars::Stars;
 use crate::backend::pfem::cloud::Cloud;
@@ -42,6 +45,9 @@ enum Kind {
 #[derive(Default)]
 pub struct MovedDomain {
     faces: Faces,
+    /// Faces of the surface that are missing.
+    missing: Vec<[u32; 3]>,
+    quads: Quads,
     kinds: Vec<Kind>,
     verdicts: Vec<Verdict>,
     /// Nodes of faces of the surface that are missing.
@@ -49,6 +55,9 @@ pub struct MovedDomain {
     piece: Vec<usize>,
     stars: Stars,
     halves: Vec<Half>,
+    diagonals: Diagonals,
+    /// Whether faces of the surface were missing.
+    is_torn: bool,
 }
 
 /// A cell about half of which lies in the moved old mesh.
@@ -68,17 +77,32 @@ impl MovedDomain {
             false => Kind::Inner,
         }));
         self.faces.read(&draft.edges);
+        self.quads.clear();
         self.verdicts.clear();
         for corners in &tetrahedra.made.cells {
             let verdict = self.first_verdict(corners);
             self.verdicts.push(verdict);
         }
-        self.doubt_where_the_surface_is_missing(cloud, tetrahedra);
+        self.missing.clear();
+        let missing = draft.edges.iter().filter(|face| self.faces.is_missing(**face));
+        self.missing.extend(missing.filter(|face| !on_one_wall(cloud, face)));
+        self.is_torn = !self.missing.is_empty();
+        if self.is_torn {
+            self.look_for_other_diagonals(cloud, tetrahedra);
+            self.doubt_where_the_surface_is_missing(cloud, tetrahedra);
+        }
         self.ask_neighbours(cloud, tetrahedra);
         self.sample(cloud, draft, tetrahedra);
         tetrahedra.fluid.clear();
         let fluid = |verdict: &Verdict| matches!(verdict, Verdict::Fluid | Verdict::Inside);
         tetrahedra.fluid.extend(self.verdicts.iter().map(fluid));
+    }
+
+    /// Gives the fluid, now the cells of the cloud, the edges of the moved surface that it lacks.
+    pub fn restore_edges(&mut self, cloud: &mut Cloud<3, 4>) {
+        if self.is_torn {
+            self.diagonals.restore(cloud, &self.faces);
+        }
     }
 
     /// What the surface says of a cell.
@@ -89,7 +113,8 @@ impl MovedDomain {
         let (mut behind, mut before) = (false, false);
         if kinds.iter().filter(|kind| **kind == Kind::Exposed).count() >= 3 {
             for face in OUTWARD.iter().filter(|face| face.iter().all(|&k| kinds[k] == Kind::Exposed)) {
-                match self.faces.meet(face.map(|k| corners[k])) {
+                let face = face.map(|k| corners[k]);
+                match self.faces.meet(face).or_else(|| self.quads.side(face)) {
                     Some(true) => behind = true,
                     Some(false) => before = true,
                     None => {}
@@ -105,19 +130,39 @@ impl MovedDomain {
         }
     }
 
+    /// Judges cells anew by the pairs of missing faces that have the other diagonal; leaves the faces that are in no such pair.
+    fn look_for_other_diagonals(&mut self, cloud: &Cloud<3, 4>, tetrahedra: &Tetrahedra) {
+        self.mark_loose(cloud);
+        let cells = &tetrahedra.made.cells;
+        let loose =
+            |corners: &[u32; 4], node: &[bool]| corners.iter().filter(|n| node[**n as usize]).count() >= 3;
+        self.piece.clear();
+        self.piece.extend((0..cells.len()).filter(|&cell| loose(&cells[cell], &self.loose)));
+        let faces = self.piece.iter().flat_map(|&cell| OUTWARD.map(|face| face.map(|k| cells[cell][k])));
+        self.quads.turn(cloud, &mut self.missing, faces);
+        if self.quads.turned.is_empty() {
+            return;
+        }
+        for index in 0..self.piece.len() {
+            let cell = self.piece[index];
+            self.verdicts[cell] = self.first_verdict(&cells[cell]);
+        }
+    }
+
+    /// Marks the nodes of missing faces.
+    fn mark_loose(&mut self, cloud: &Cloud<3, 4>) {
+        self.loose.clear();
+        self.loose.resize(cloud.place.len(), false);
+        self.missing.iter().flatten().for_each(|&node| self.loose[node as usize] = true);
+    }
+
     /// Cells with two corners where faces of the surface are missing can be on both sides, whatever other faces of it tell. A wall
     /// is where it was, whichever faces it has.
     fn doubt_where_the_surface_is_missing(&mut self, cloud: &Cloud<3, 4>, tetrahedra: &Tetrahedra) {
-        self.loose.clear();
-        self.loose.resize(cloud.place.len(), false);
-        let mut whole = true;
-        for corners in self.faces.missing().filter(|corners| !on_one_wall(cloud, corners)) {
-            whole = false;
-            corners.iter().for_each(|&node| self.loose[node as usize] = true);
-        }
-        if whole {
+        if self.missing.is_empty() {
             return;
         }
+        self.mark_loose(cloud);
         for (verdict, corners) in self.verdicts.iter_mut().zip(&tetrahedra.made.cells) {
             if corners.iter().filter(|node| self.loose[**node as usize]).count() >= 2 {
                 *verdict = Verdict::Doubtful;
