@@ -49,6 +49,9 @@ pub fn take_surplus<const D: usize, const N: usize>(
     volumes: &[f64],
     surplus: f64,
 ) -> f64 {
+    if surplus <= 0.0 {
+        return 0.0;
+    }
     let Cloud { contacts, velocity, .. } = cloud;
     let weight = |node: usize| {
         let chosen = contacts[node].is_empty() && has_changed(mass, volumes, node);
@@ -66,7 +69,7 @@ pub fn take_surplus<const D: usize, const N: usize>(
         0.5 * weight(node) * dot(&d, &d)
     };
     let available: f64 = velocity.iter().enumerate().map(relative).sum();
-    if surplus <= 0.0 || available <= 0.0 {
+    if available <= 0.0 {
         return 0.0;
     }
     let left = (1.0 - surplus / available).max(0.0).sqrt();
