@@ -8,7 +8,7 @@ use bytemuck::{Pod, Zeroable};
 use iceoryx2::prelude::ZeroCopySend;
 
 /// Version of frames and messages; programs of different versions refuse each other.
-pub const PROTOCOL: u32 = 3;
+pub const PROTOCOL: u32 = 4;
 
 /// Which frame a row belongs to. From → to: `grains` dem → coupler and fluid, `impulse` dem → coupler,
 /// `samples` fluid → coupler, `hydro` coupler → dem, `reaction` coupler → fluid.

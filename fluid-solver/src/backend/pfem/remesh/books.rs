@@ -81,7 +81,8 @@ pub struct Energy<const D: usize> {
 pub struct EnergyBooks<const D: usize> {
     /// Change of ∫ ½ |v|² dV.
     pub kinetic: Account,
-    /// Of it what was taken from the relative motion of nodes: volume gained in a blow would bring its energy with it.
+    /// Of it what was taken from the relative motion of nodes: after events what the volume gained brought with it, and in
+    /// space whatever remeshing would otherwise have given in all.
     pub limiter: Account,
     /// Change of ∫ x dV.
     pub moment: [Account; D],
