@@ -142,7 +142,8 @@ mod tests {
     #[test]
     fn a_run_that_stops_says_where_and_a_refusal_that_is_due_says_why() {
         let stopped = |message: &str| Outcome::Stopped(0.1, message.to_string());
-        let fault = "cell 3 at [0.1, 0.2] would be turned over in the step of 1e-9 s";
+        let fault =
+            "cell 3 at [0.1, 0.2] would be turned over, swollen or sheared too far in the step of 1e-9 s";
         assert_eq!(stopped(fault).verdict(RUN), Verdict::Stopped);
         assert_eq!(stopped("no").verdict(RUN), Verdict::Broken);
         assert_eq!(stopped("two nodes are at").verdict(Expected::Refusal("two nodes")), Verdict::Stopped);

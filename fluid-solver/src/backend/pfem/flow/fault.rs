@@ -5,7 +5,7 @@
 pub enum FlowFault {
     /// A cell would be strained too far: a smaller step is right.
     #[error(
-        "cell {cell} at {place:?} would be turned over in the step of {length:.3e} s; allowed {bound:.3e} s: take a smaller step"
+        "cell {cell} at {place:?} would be turned over, swollen or sheared too far in the step of {length:.3e} s; allowed {bound:.3e} s: take a smaller step"
     )]
     Inverted {
         /// The cell.

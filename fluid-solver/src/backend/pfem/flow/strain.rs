@@ -12,6 +12,8 @@ pub struct Strain {
     pub thin: f64,
     /// Share of V* that may be added.
     pub most: f64,
+    /// Share of the longest edge by which corners may move against each other.
+    pub shear: f64,
 }
 
 /// Share of V* below which a cell is a sliver, of no thickness but with long edges: it may turn over by as much, for the next
@@ -20,7 +22,7 @@ const SLIVER: [f64; 2] = [0.005, 0.02];
 
 impl Default for Strain {
     fn default() -> Self {
-        Self { least: 0.1, thin: 0.2, most: 0.6 }
+        Self { least: 0.1, thin: 0.2, most: 0.6, shear: 1.0 }
     }
 }
 
@@ -34,12 +36,16 @@ impl Strain {
     ) -> Option<f64> {
         let rate = volume_polynomial(corners, v);
         let volume = rate[0];
-        let regular = regular_volume(D) * longest_edge(corners).powi(D as i32);
+        let edge = longest_edge(corners);
+        let regular = regular_volume(D) * edge.powi(D as i32);
         let sliver = SLIVER[D - 2] * regular;
         let least = if volume < sliver { -sliver } else { self.least * volume.min(self.thin * regular) };
         let bounds = (least, volume + self.most * regular);
         let value = |t: f64| rate.iter().rev().fold(0.0, |sum, c| sum * t + c);
         let within = |t: f64| (bounds.0..=bounds.1).contains(&value(t));
+        // A sliver has no volume to be strained, but its corners may fly apart.
+        let sheared = self.shear * edge / longest_edge(v);
+        let horizon = horizon.min(sheared);
         let mut start = 0.0;
         for end in turning_points(&rate).filter(|t| *t > 0.0 && *t < horizon).chain([horizon]) {
             if !within(end) {
@@ -47,7 +53,7 @@ impl Strain {
             }
             start = end;
         }
-        None
+        (horizon == sheared).then_some(sheared)
     }
 }
 
@@ -94,7 +100,7 @@ mod tests {
     use super::*;
 
     const TRIANGLE: [[f64; 2]; 3] = [[1.0, 2.0], [2.0, 2.0], [1.0, 3.0]];
-    const PURE: Strain = Strain { least: 0.2, thin: 10.0, most: 10.0 };
+    const PURE: Strain = Strain { least: 0.2, thin: 10.0, most: 10.0, shear: 10.0 };
 
     #[test]
     fn a_corner_that_falls_on_the_opposite_edge_may_go_four_fifths_of_the_way() {
@@ -114,6 +120,15 @@ mod tests {
         let v = TRIANGLE.map(|x| [1.0 - x[0], 2.0 - x[1]]);
         let time = PURE.first_breach(&TRIANGLE, &v, 2.0).unwrap();
         assert!((time - (1.0 - 0.2f64.sqrt())).abs() < 1e-5, "{time}");
+    }
+
+    #[test]
+    fn a_corner_of_a_sliver_may_not_be_flung_past_the_others() {
+        let corners = [[0.0; 3], [1e-9, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let v = [[0.0; 3], [0.0; 3], [0.0; 3], [0.0, 0.0, 200.0]];
+        let time = Strain::default().first_breach(&corners, &v, 1.0).unwrap();
+        assert!((time - 2f64.sqrt() / 200.0).abs() < 1e-15, "{time}");
+        assert_eq!(Strain::default().first_breach(&corners, &v, 0.9 * time), None);
     }
 
     #[test]
