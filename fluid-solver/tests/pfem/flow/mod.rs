@@ -7,4 +7,4 @@ mod rest;
 mod schemes;
 mod wall_function;
 mod walls;
-mod waves;
+pub mod waves;

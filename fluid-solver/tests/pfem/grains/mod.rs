@@ -9,3 +9,4 @@ mod plastic;
 mod scene;
 mod surface;
 mod volume;
+mod wave;

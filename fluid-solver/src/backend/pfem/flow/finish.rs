@@ -5,8 +5,16 @@ use super::krylov::split;
 use super::solution::FlowSolution;
 use super::solve::{Flow, Progress, Start};
 use crate::element::simplex::{Vector, difference};
+use linear::vector;
 
 impl<const D: usize, const N: usize> Flow<D, N> {
+    /// v_n + (v_m − v_n)/θ of a node that has v_m = `middle`: the velocity at the end if no wall held it.
+    pub(super) fn unheld(&self, node: usize, middle: &Vector<D>) -> Vector<D> {
+        let before = &self.projected.velocity[node];
+        let implicitness = if self.assembly.volumes[node] == 0.0 { 0.5 } else { self.implicitness };
+        moved(before, 1.0 / implicitness, &difference(middle, before))
+    }
+
     /// The velocity at the end, and what the walls did.
     ///
     /// Σ m_i (v_{n+1} − v_n) = Δt Σ (forces + reactions) to round-off: what the solver left of the rows of free nodes,
@@ -15,7 +23,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         &self,
         start: Start<'_, D, N>,
         velocity: Vec<Vector<D>>,
-        pressure: Vec<f64>,
+        mut pressure: Vec<f64>,
         progress: Progress,
     ) -> FlowSolution<D> {
         let Start { cloud, walls, step, forces } = start;
@@ -41,17 +49,20 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         for node in 0..mass.len() {
             let (before, middle) = (&projected.velocity[node], &velocity[node]);
             let flies = self.assembly.volumes[node] == 0.0;
-            let implicitness = if flies { 0.5 } else { self.implicitness };
-            let change: Vector<D> = std::array::from_fn(|k| (middle[k] - before[k]) / implicitness);
+            let unheld = self.unheld(node, middle);
+            let change = difference(&unheld, before);
             let end = &mut end_velocity[node];
-            *end = moved(end, 1.0, &change);
+            *end = unheld;
+            let taken = self.rebound.force[node];
+            if !flies {
+                *end = moved(end, 1.0 / (mass[node] / step.length + drag(node)), &taken);
+            }
             if is_free(node) {
                 if !flies {
                     *end = moved(end, -1.0, &drift);
                 }
                 continue;
             }
-            let unheld = *end;
             *end = self.contact.at_end(cloud, walls, step, node, middle, end);
             let other: Vector<D> = if flies {
                 forces.gravity.map(|g| mass[node] * g)
@@ -62,9 +73,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             reaction[node] = std::array::from_fn(|k| {
                 let inertia = mass[node] * (end[k] - cloud.velocity[node][k]) / step.length;
                 let blow = self.implicitness * projected.blow[node][k];
-                inertia + drag(node) * (end[k] - unheld[k]) - other[k] - blow + friction[k]
+                inertia + drag(node) * (end[k] - unheld[k]) - other[k] - blow - taken[k] + friction[k]
             });
         }
+        vector::axpy(1.0, &self.rebound.pressure, &mut pressure);
         FlowSolution {
             contacts: self.contact.left(cloud, walls, step, &velocity),
             velocity,

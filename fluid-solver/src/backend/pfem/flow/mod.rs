@@ -22,6 +22,7 @@ mod porous;
 mod preconditioner;
 mod pressure;
 mod projection;
+mod rebound;
 mod rheology;
 mod scheme;
 mod setting;

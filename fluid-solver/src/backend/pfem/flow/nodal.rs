@@ -168,6 +168,49 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         });
     }
 
+    /// ∫N_i ∇·((ε + e)v) (m³/s), see [`Porous::divergence`].
+    pub fn divergence(
+        &mut self,
+        topology: &Topology<N>,
+        grains: Suspended<'_, D, N>,
+        velocity: &[Vector<D>],
+        divergence: &mut [f64],
+    ) {
+        let Self { cells, rows, .. } = self;
+        for_each(rows, |index, rows| {
+            let nodes = topology.cells()[index].map(|node| node as usize);
+            let entrained = grains.compliance(&nodes).map(|c| c.entrained);
+            let v = nodes.map(|node| velocity[node]);
+            rows.1 = grains.cells[index].divergence(&cells[index], &v, entrained);
+        });
+        for_each(divergence, |node, rate| {
+            let corners = topology.corners(node).iter();
+            *rate = corners.map(|c| rows[c.cell as usize].1[c.local as usize]).sum();
+        });
+    }
+
+    /// ∫p∇(εN_i) − N_i r∇p (N): what a pressure does to the fluid between grains that relay r of it.
+    pub fn relayed_forces(
+        &mut self,
+        topology: &Topology<N>,
+        grains: Suspended<'_, D, N>,
+        pressure: &[f64],
+        forces: &mut [Vector<D>],
+    ) {
+        let Self { cells, rows, .. } = self;
+        for_each(rows, |index, rows| {
+            let nodes = topology.cells()[index].map(|node| node as usize);
+            let relayed = grains.compliance(&nodes).map(|c| c.relayed);
+            let p = nodes.map(|node| pressure[node]);
+            rows.0 = grains.cells[index].relayed_forces(&cells[index], &p, relayed);
+        });
+        for_each(forces, |node, force| {
+            let corners = topology.corners(node).iter();
+            let forces = corners.map(|c| &rows[c.cell as usize].0[c.local as usize]);
+            *force = forces.fold([0.0; D], |sum, force| moved(&sum, 1.0, force));
+        });
+    }
+
     /// ∫p∇(εN_i) (N).
     pub fn pressure_forces(
         &self,

@@ -112,6 +112,25 @@ impl<const D: usize, const N: usize> Porous<D, N> {
         (forces, volumes)
     }
 
+    /// ∫N_i ∇·((ε + e)v) − ∮N_i e v·n, e being what the grains are entrained by (m³/s).
+    pub fn divergence(&self, cell: &Cell<D, N>, v: &[Vector<D>; N], entrained: [f64; N]) -> [f64; N] {
+        let gradient = cell.velocity_gradient(v);
+        let rate: f64 = (0..D).map(|k| gradient[k][k]).sum();
+        let entrained = Average::new(entrained);
+        let carried: Vector<D> = std::array::from_fn(|k| (0..N).map(|j| entrained.first(j) * v[j][k]).sum());
+        let transport = Average::new(v.map(|v| dot(&v, &self.slope)));
+        std::array::from_fn(|i| {
+            self.void.first(i) * rate + transport.first(i) - dot(&cell.areas[i], &carried)
+        })
+    }
+
+    /// ∫p∇(εN_i) − N_i r∇p (N), r being what the grains relay.
+    pub fn relayed_forces(&self, cell: &Cell<D, N>, p: &[f64; N], relayed: [f64; N]) -> [Vector<D>; N] {
+        let (forces, slope) = (self.pressure_forces(cell, p), sum(&cell.areas, p));
+        let relayed = Average::new(relayed);
+        std::array::from_fn(|i| std::array::from_fn(|k| forces[i][k] - relayed.first(i) * slope[k]))
+    }
+
     /// What an increment of pressure moves through the cell: κ = (ε + r)(ε + e)/(ερ/(θΔt) + β) + k (m³ s/kg).
     pub fn mobility(&self, inertia: f64, resistance: f64, compliance: &[Compliance; N]) -> f64 {
         let mean = |part: fn(&Compliance) -> f64| compliance.iter().map(part).sum::<f64>() / N as f64;

@@ -23,12 +23,15 @@ pub struct Projected<const D: usize> {
 }
 
 impl<const D: usize, const N: usize> Flow<D, N> {
-    /// Whether the divergence of v_n is to go first: what grains leave that move, and what pressure compresses, is due; a
-    /// yield stress has steps of θ = 1, which turn nothing round.
+    /// Whether the divergence of v_n is to go first: what grains leave that move is due.
     pub(super) fn projects(&self, start: Start<'_, D, N>) -> bool {
+        start.forces.grains.is_none() && self.turns_round()
+    }
+
+    /// Whether steps keep what is left of a divergence: what pressure compresses is due, and a yield stress has steps of θ = 1.
+    pub(super) fn turns_round(&self) -> bool {
         let Fluid { rheology, bulk_modulus, .. } = &self.fluid;
-        let is_due = start.forces.grains.is_some() || bulk_modulus.is_some();
-        !is_due && rheology.is_newtonian() && self.scheme.projects()
+        bulk_modulus.is_none() && rheology.is_newtonian() && self.scheme.projects()
     }
 
     /// v = v_n + (θΔt/ρV_i) ∫φ∇N_i in the free directions with Pφ = −∫N∇·v_n on the mesh at t_n.

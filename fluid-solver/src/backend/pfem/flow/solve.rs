@@ -7,6 +7,7 @@ use super::nodal::Assembly;
 use super::porous::Porous;
 use super::preconditioner::{Preconditioning, Rates};
 use super::projection::Projected;
+use super::rebound::Rebound;
 use super::scheme::{Correct, Iterate, Verdict};
 use super::setting::{Control, Fluid, Forces};
 use super::solution::{FlowSolution, Residuals};
@@ -72,6 +73,7 @@ pub struct Flow<const D: usize, const N: usize> {
     pub(super) friction: Friction<D>,
     pub(super) excess: Vec<Vector<D>>,
     pub(super) projected: Projected<D>,
+    pub(super) rebound: Rebound<D>,
     pub(super) porous: Vec<Porous<D, N>>,
     /// The rows at the iterate.
     pub(super) rows: Vec<f64>,
@@ -103,6 +105,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             friction: Friction::default(),
             excess: Vec::new(),
             projected: Projected::default(),
+            rebound: Rebound::new(),
             porous: Vec::new(),
             rows: Vec::new(),
             right: Vec::new(),
@@ -155,8 +158,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         self.implicitness = match &forces.grains {
             // What a yield stress has stopped would be turned round in each step.
             _ if !self.fluid.rheology.is_newtonian() => 1.0,
-            Some(grains) => stated.max(least_implicitness(grains.void_fraction)),
-            None => stated,
+            Some(grains) if !self.rebounds(start) => stated.max(least_implicitness(grains.void_fraction)),
+            _ => stated,
         };
         let nodes = cloud.place.len();
         let mut mesh = match self.mesh.take() {
@@ -179,6 +182,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let (mut velocity, mut pressure) = (self.projected.velocity.clone(), cloud.pressure.clone());
         self.fly(start, &mesh.0, &mut velocity);
         let progress = self.improve(start, &mut mesh, &mut velocity, &mut pressure);
+        if progress.is_ok() {
+            self.take_rebound(start, &mut mesh, &velocity);
+        }
         self.mesh = Some(mesh);
         if let Some((cell, time)) = self.first_breach(cloud, &velocity, step.length) {
             let place = cloud.place[cloud.cells[cell][0] as usize].to_vec();

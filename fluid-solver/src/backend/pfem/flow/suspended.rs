@@ -61,6 +61,14 @@ impl<const D: usize, const N: usize> Suspended<'_, D, N> {
         }
     }
 
+    /// How the grains at the corners of a cell give way.
+    pub fn compliance(&self, nodes: &[usize; N]) -> [Compliance; N] {
+        match self.suspension.given.compliance {
+            [] => [Compliance::default(); N],
+            nodal => nodes.map(|node| nodal[node]),
+        }
+    }
+
     /// The fields at the corners of a cell.
     pub fn corners(
         &self,
@@ -70,7 +78,6 @@ impl<const D: usize, const N: usize> Suspended<'_, D, N> {
         excess: &[Vector<D>],
     ) -> Corners<D, N> {
         let Suspension { carrier, measure, given, .. } = self.suspension;
-        let has_compliance = !given.compliance.is_empty();
         let less = |a: &Vector<D>, b: &Vector<D>| -> Vector<D> {
             match part {
                 Part::Linear => *a,
@@ -83,11 +90,7 @@ impl<const D: usize, const N: usize> Suspended<'_, D, N> {
             excess: nodes.map(|node| excess[node]),
             drag: nodes.map(|node| self.drag(part, node, &velocity[node]).map(|force| force / measure[node])),
             slip: nodes.map(|node| less(&velocity[node], &carrier[node])),
-            compliance: if has_compliance {
-                nodes.map(|node| given.compliance[node])
-            } else {
-                [Compliance::default(); N]
-            },
+            compliance: self.compliance(nodes),
             velocity_change: nodes
                 .map(|node| less(&self.end(part, node, &velocity[node]), &given.velocity[node])),
             pressure_change: nodes.map(|node| match part {
@@ -99,10 +102,7 @@ impl<const D: usize, const N: usize> Suspended<'_, D, N> {
 
     /// κ of a cell (m³ s/kg), see [`Porous::mobility`]; `inertia` is ρ/(θΔt).
     pub fn mobility(&self, cell: usize, nodes: &[u32; N], inertia: f64) -> f64 {
-        let compliance = match self.suspension.given.compliance {
-            [] => [Compliance::default(); N],
-            nodal => nodes.map(|node| nodal[node as usize]),
-        };
+        let compliance = self.compliance(&nodes.map(|node| node as usize));
         let resistance = mean_resistance(self.suspension, self.implicitness, nodes);
         self.cells[cell].mobility(inertia, resistance, &compliance)
     }
