@@ -104,24 +104,24 @@ impl<const N: usize> Entry<N> {
     }
 
     fn new<const D: usize>(mesh: &Mesh<D, N>, slot: usize, cell: &Cell<N>) -> Self {
-        let mut corners = cell.corners.map(|corner| mesh.names[corner as usize]);
-        let mut neighbours = cell.neighbours.map(|face| face.cell());
-        // Insertion, an exchange of neighbours at a time; an even number of them leaves the cell positive.
-        let mut even = true;
+        // A corner and the neighbour across from it in one number, in the order of the corners.
+        let mut sides: [u64; N] = std::array::from_fn(|k| {
+            let corner = mesh.names[cell.corners[k] as usize];
+            u64::from(corner) << 32 | u64::from(cell.neighbours[k].cell())
+        });
+        // Insertion that always goes to the end, for a branch would be taken by chance.
+        let mut odd = false;
         for end in 1..N {
             for k in (1..=end).rev() {
-                if corners[k - 1] < corners[k] {
-                    break;
-                }
-                corners.swap(k - 1, k);
-                neighbours.swap(k - 1, k);
-                even = !even;
+                let (a, b) = (sides[k - 1], sides[k]);
+                odd ^= a > b;
+                (sides[k - 1], sides[k]) = (a.min(b), a.max(b));
             }
         }
-        if !even {
-            corners.swap(N - 2, N - 1);
-            neighbours.swap(N - 2, N - 1);
-        }
+        // An even number of exchanges leaves the cell positive.
+        let (a, b) = (sides[N - 2], sides[N - 1]);
+        (sides[N - 2], sides[N - 1]) = if odd { (b, a) } else { (a, b) };
+        let (corners, neighbours) = (sides.map(|side| (side >> 32) as u32), sides.map(|side| side as u32));
         Self { corners, neighbours, slot: slot as u32 }
     }
 }
