@@ -71,29 +71,32 @@ impl<const N: usize> Canonical<N> {
             entries[*next as usize] = Entry::new(mesh, slot, cell);
             *next += 1;
         }
-        for range in ranges {
-            block.clear();
-            block.extend_from_slice(&entries[range]);
-            for entry in &*block {
+        let Triangulation { cells, neighbours, .. } = triangulation;
+        cells.clear();
+        neighbours.clear();
+        for (first, range) in (0..points).step_by(width).zip(ranges) {
+            let start = range.start;
+            block.resize(range.len(), none);
+            for entry in &entries[range] {
                 let next = &mut begin[entry.corners[0] as usize];
-                entries[*next as usize] = *entry;
+                block[*next as usize - start] = *entry;
                 *next += 1;
             }
+            let mut group = 0;
+            for end in &begin[first..points.min(first + width)] {
+                let end = *end as usize - start;
+                block[group..end].sort_unstable_by_key(Entry::key);
+                group = end;
+            }
+            cells.extend(block.iter().map(|entry| entry.corners));
+            neighbours.extend(block.iter().map(|entry| entry.neighbours));
+            for (place, entry) in block.iter().enumerate() {
+                number[entry.slot as usize] = (start + place) as u32;
+            }
         }
-        let mut start = 0;
-        for &end in &begin[..points] {
-            entries[start..end as usize].sort_unstable_by_key(Entry::key);
-            start = end as usize;
+        for slots in neighbours {
+            *slots = slots.map(|slot| number[slot as usize]);
         }
-        for (place, entry) in entries.iter().enumerate() {
-            number[entry.slot as usize] = place as u32;
-        }
-        triangulation.cells.clear();
-        triangulation.cells.extend(entries.iter().map(|entry| entry.corners));
-        triangulation.neighbours.clear();
-        triangulation
-            .neighbours
-            .extend(entries.iter().map(|entry| entry.neighbours.map(|slot| number[slot as usize])));
     }
 }
 
