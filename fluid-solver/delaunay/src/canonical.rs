@@ -71,29 +71,32 @@ impl<const N: usize> Canonical<N> {
             entries[*next as usize] = Entry::new(mesh, slot, cell);
             *next += 1;
         }
-        for range in ranges {
-            block.clear();
-            block.extend_from_slice(&entries[range]);
-            for entry in &*block {
+        let Triangulation { cells, neighbours, .. } = triangulation;
+        cells.clear();
+        neighbours.clear();
+        for (first, range) in (0..points).step_by(width).zip(ranges) {
+            let start = range.start;
+            block.resize(range.len(), none);
+            for entry in &entries[range] {
                 let next = &mut begin[entry.corners[0] as usize];
-                entries[*next as usize] = *entry;
+                block[*next as usize - start] = *entry;
                 *next += 1;
             }
+            let mut group = 0;
+            for end in &begin[first..points.min(first + width)] {
+                let end = *end as usize - start;
+                block[group..end].sort_unstable_by_key(Entry::key);
+                group = end;
+            }
+            cells.extend(block.iter().map(|entry| entry.corners));
+            neighbours.extend(block.iter().map(|entry| entry.neighbours));
+            for (place, entry) in block.iter().enumerate() {
+                number[entry.slot as usize] = (start + place) as u32;
+            }
         }
-        let mut start = 0;
-        for &end in &begin[..points] {
-            entries[start..end as usize].sort_unstable_by_key(Entry::key);
-            start = end as usize;
+        for slots in neighbours {
+            *slots = slots.map(|slot| number[slot as usize]);
         }
-        for (place, entry) in entries.iter().enumerate() {
-            number[entry.slot as usize] = place as u32;
-        }
-        triangulation.cells.clear();
-        triangulation.cells.extend(entries.iter().map(|entry| entry.corners));
-        triangulation.neighbours.clear();
-        triangulation
-            .neighbours
-            .extend(entries.iter().map(|entry| entry.neighbours.map(|slot| number[slot as usize])));
     }
 }
 
@@ -104,24 +107,24 @@ impl<const N: usize> Entry<N> {
     }
 
     fn new<const D: usize>(mesh: &Mesh<D, N>, slot: usize, cell: &Cell<N>) -> Self {
-        let mut corners = cell.corners.map(|corner| mesh.names[corner as usize]);
-        let mut neighbours = cell.neighbours.map(|face| face.cell());
-        // Insertion, an exchange of neighbours at a time; an even number of them leaves the cell positive.
-        let mut even = true;
+        // A corner and the neighbour across from it in one number, in the order of the corners.
+        let mut sides: [u64; N] = std::array::from_fn(|k| {
+            let corner = mesh.names[cell.corners[k] as usize];
+            u64::from(corner) << 32 | u64::from(cell.neighbours[k].cell())
+        });
+        // Insertion that always goes to the end, for a branch would be taken by chance.
+        let mut odd = false;
         for end in 1..N {
             for k in (1..=end).rev() {
-                if corners[k - 1] < corners[k] {
-                    break;
-                }
-                corners.swap(k - 1, k);
-                neighbours.swap(k - 1, k);
-                even = !even;
+                let (a, b) = (sides[k - 1], sides[k]);
+                odd ^= a > b;
+                (sides[k - 1], sides[k]) = (a.min(b), a.max(b));
             }
         }
-        if !even {
-            corners.swap(N - 2, N - 1);
-            neighbours.swap(N - 2, N - 1);
-        }
+        // An even number of exchanges leaves the cell positive.
+        let (a, b) = (sides[N - 2], sides[N - 1]);
+        (sides[N - 2], sides[N - 1]) = if odd { (b, a) } else { (a, b) };
+        let (corners, neighbours) = (sides.map(|side| (side >> 32) as u32), sides.map(|side| side as u32));
         Self { corners, neighbours, slot: slot as u32 }
     }
 }

@@ -6,7 +6,7 @@ use crate::{Delaunay, Error, HULL, Triangulation};
 
 /// The cells are those that all points would have if they were triangulated together, whatever the order in which points
 /// came and went: ties fall by rank alone, and the triangulation is unique. Coordinates read as zero are those below 10⁻³⁰
-/// of the largest of the last [`Delaunay::triangulate`].
+/// of the largest of the last [`Delaunay::triangulate`], or of 1 if there was none.
 ///
 /// An edit costs what the cells around the point cost and the way to it from the last one, so that it pays to edit
 /// neighbours in turn. While points are equal, lie on one plane or are fewer than N, each edit is a new triangulation.

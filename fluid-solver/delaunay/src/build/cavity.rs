@@ -46,12 +46,14 @@ impl<const N: usize> Cavity<N> {
         while let Some(cell) = self.inside.get(next) {
             let Cell { corners, neighbours, .. } = *mesh.cell(*cell);
             next += 1;
+            // Asked for at once, so that memory has to be waited for once.
+            let origins = neighbours.map(|face| mesh.cell(face.cell()).corners[D]);
             for at in 0..N {
                 let outside = neighbours[at];
                 let other = outside.cell();
                 match mesh.marks[other as usize] {
                     Mark::Inside => continue,
-                    Mark::Open if mesh.conflicts(other, point) => {
+                    Mark::Open if mesh.conflicts_from(origins[at], other, point) => {
                         mesh.marks[other as usize] = Mark::Inside;
                         self.inside.push(other);
                         continue;

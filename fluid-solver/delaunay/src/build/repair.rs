@@ -6,6 +6,8 @@ use crate::predicate::{circumsphere, in_circumsphere, orientation};
 
 /// What a violated face costs, in cells built anew.
 const FACE: usize = 12;
+/// The share of the cells that may be renewed wherever they are.
+const SOME: usize = 8;
 /// What a cell that is wrong costs, in cells built anew.
 const CELL: usize = 2;
 
@@ -81,7 +83,9 @@ impl<const D: usize, const N: usize> Repair<D, N> {
             if mesh.marks[cell] == Mark::Free {
                 continue;
             }
-            if FACE * self.doubtful.len() + CELL * self.wrong.len() > mesh.cells.len() {
+            // Too many among the first cells, some apart, foretell too many in all.
+            let foretold = mesh.cells.len().min(cell + mesh.cells.len() / SOME);
+            if FACE * self.doubtful.len() + CELL * self.wrong.len() > foretold {
                 return false;
             }
             let Cell { corners, neighbours, .. } = mesh.cells[cell];

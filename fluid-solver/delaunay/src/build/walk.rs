@@ -59,8 +59,13 @@ impl<const D: usize, const N: usize> Mesh<D, N> {
     /// behind, or on the plane of that face and in conflict with the cell before it.
     #[inline(always)]
     pub fn conflicts(&self, cell: u32, point: u32) -> bool {
-        let this = self.cell(cell);
-        let sign = in_circumsphere(&this.sphere, self.point(this.corners[D]), self.point(point));
+        self.conflicts_from(self.cell(cell).corners[D], cell, point)
+    }
+
+    /// The same if the last corner of the cell is at hand.
+    #[inline(always)]
+    pub fn conflicts_from(&self, origin: u32, cell: u32, point: u32) -> bool {
+        let sign = in_circumsphere(&self.cell(cell).sphere, self.point(origin), self.point(point));
         if sign != 0.0 { sign > 0.0 } else { self.conflicts_exactly(cell, point) }
     }
 

@@ -7,6 +7,7 @@ mod perturbed;
 mod plane;
 mod space;
 mod sphere;
+mod unit_box;
 
 pub use exact::{collinear, orientation};
 pub use perturbed::conflict;

@@ -77,8 +77,8 @@ pub fn from_bytes<const D: usize>(bytes: &[u8]) -> Vec<[f64; D]> {
     let coordinate = |byte: &u8| {
         let x = f64::from(byte & 7) * if byte & 64 == 0 { 1.0 } else { 0.1 };
         match byte >> 3 & 7 {
-            0 => x.next_up(),
-            1 => x.next_down(),
+            0 => (x + 1.0).next_up(),
+            1 => (x + 1.0).next_down(),
             2 => -x,
             _ => x,
         }

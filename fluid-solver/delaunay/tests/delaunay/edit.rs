@@ -1,6 +1,7 @@
 //! Points that come, go and move one by one.
 
 use crate::clouds::{Random, flat, from_bytes, grid, random, sphere};
+use crate::program;
 use delaunay::{Delaunay, Error, check};
 
 /// Puts points in, moves and removes some, and compares with all of them together; returns how often the mesh was kept.
@@ -64,6 +65,25 @@ fn a_thousand_small_clouds_on_and_about_a_lattice_have_the_cells_that_they_would
         claim::<3, 4>(&from_bytes(&bytes), seed);
         claim::<2, 3>(&from_bytes(&bytes), seed);
     }
+}
+
+#[test]
+fn programs_of_edits_from_the_lattice_to_either_end_of_the_range_of_numbers_leave_the_mesh_made_anew() {
+    let mut random = Random(23);
+    let mut kept = 0;
+    for _ in 0..300 {
+        let bytes: Vec<u8> = (0..random.below(300)).map(|_| random.below(256) as u8).collect();
+        kept += program::edits::<2, 3>(&bytes) + program::edits::<3, 4>(&bytes);
+    }
+    assert!(kept > 1000, "kept {kept} times");
+}
+
+#[test]
+fn edges_forced_between_points_of_a_lattice_are_there_or_something_is_in_their_way() {
+    let mut random = Random(29);
+    let bytes = |_| (0..random.below(200)).map(|_| random.below(256) as u8).collect::<Vec<_>>();
+    let forced = (0..300).map(bytes).map(|bytes| program::forced_edges(&bytes)).sum::<usize>();
+    assert!(forced > 1000, "forced {forced} edges");
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod clouds;
 mod degenerate;
 mod edit;
 mod invariance;
+mod program;
 mod reuse;
 
 use delaunay::{Delaunay, Triangulation, check};

@@ -30,7 +30,8 @@ pub fn differences<const D: usize, const M: usize>(
             let (rounded, rest) = subtract(point[k], origin[k]);
             let [rounded, rest] = [rounded, rest].map(|x| x * per_unit);
             largest = larger(largest, rounded.abs());
-            difference[k] = rounded as i64 + rest as i64;
+            // Beyond the range of `i64` only where there will be none.
+            difference[k] = (rounded as i64).wrapping_add(rest as i64);
         }
     }
     (largest < LARGEST).then_some(differences)
@@ -43,4 +44,17 @@ fn subtract(a: f64, b: f64) -> (f64, f64) {
     let b_seen = a - rounded;
     let a_seen = rounded + b_seen;
     (rounded, (a - a_seen) + (b_seen - b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::differences;
+
+    #[test]
+    fn differences_that_no_integer_holds_are_none() {
+        let tiny = f64::from_bits((1023 - 90) << 52);
+        assert_eq!(differences([&[0.75, tiny]], &[0.25, 0.0]), None);
+        assert_eq!(differences([&[0.75, 0.0]], &[0.25, tiny]), None);
+        assert_eq!(differences([&[0.75, 0.5]], &[0.5, 0.75]), Some([[1 << 51, -(1 << 51)]]));
+    }
 }
