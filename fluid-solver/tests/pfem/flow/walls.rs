@@ -185,3 +185,17 @@ fn a_drop_that_runs_along_a_floor_that_grips_is_dragged_as_a_film_of_its_size() 
         assert!((v[0] - expected).abs() < 1e-12 && v[1] == 0.0 && x[1].abs() < 1e-15, "{x:?} {v:?}");
     }
 }
+
+#[test]
+fn a_drop_that_leaves_a_wall_that_grips_takes_all_of_its_momentum_along() {
+    let floor = Plane { point: [0.0; 2], normal: [0.0, 1.0] };
+    for grip in [Grip::NoSlip, Grip::WallFunction] {
+        let walls = [Wall::new("floor", Shape::Plane(floor), grip)];
+        let mut cloud = drops(&walls);
+        cloud.velocity.fill([1.0, 0.5]);
+        advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.01, 0..1, |_, _| ());
+        for (v, contacts) in cloud.velocity.iter().zip(&cloud.contacts) {
+            assert!(v[0] == 1.0 && (v[1] - 0.5 + 0.01 * G).abs() < 1e-15 && contacts.is_empty(), "{v:?}");
+        }
+    }
+}
