@@ -199,3 +199,31 @@ fn a_drop_that_leaves_a_wall_that_grips_takes_all_of_its_momentum_along() {
         }
     }
 }
+
+#[test]
+fn a_sheet_holds_fluid_on_one_side_and_what_comes_round_its_end_is_no_fluid_of_it() {
+    let sheet = patches::<2>(&[[[0.0, 1.0], [0.0, 0.0]]]).remove(0);
+    let walls = [Wall::new("sheet", Shape::Patch(sheet), Grip::Slip)];
+    let mut cloud = drops(&walls);
+    cloud.place.fill([-0.3, 1.1]);
+    cloud.velocity.fill([0.0; 2]);
+    advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.01, 0..30, |_, _| ());
+    for (x, contacts) in cloud.place.iter().zip(&cloud.contacts) {
+        assert!(x[0] == -0.3 && (x[1] - 1.1 + 0.5 * G * 0.09).abs() < 1e-12, "a drop falls past it: {x:?}");
+        assert!(contacts.is_empty());
+    }
+    // Cells there would hang together with those in front of it.
+    let mut cloud = block::<2, 3>([0.1, 0.1], [2, 2], 0.0);
+    cloud.place.iter_mut().for_each(|x| *x = [x[0] - 0.3, x[1] + 1.01]);
+    let (mut flow, mut time) = (flow(WATER, 1e-6), 0.0);
+    let fault = loop {
+        let step = Step { time, length: 0.01 };
+        match flow.solve(&cloud, &walls, step, &gravity()) {
+            Ok(solution) => solution.advance(&mut cloud, step),
+            Err(fault) => break fault,
+        }
+        time += step.length;
+    };
+    assert!(matches!(&fault, FlowFault::RoundEnd { wall, .. } if wall == "sheet"), "{fault}");
+    assert!(fault.to_string().contains("give the wall a thickness"), "{fault}");
+}

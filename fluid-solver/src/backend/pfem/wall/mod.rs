@@ -16,7 +16,7 @@ pub use patch::Patch;
 pub use plane::Plane;
 pub use round::Round;
 
-use crate::element::simplex::Vector;
+use crate::element::simplex::{Vector, dot};
 use surface::motion::Motion;
 
 /// How a wall stands to a point.
@@ -86,6 +86,14 @@ impl<const D: usize> Wall<D> {
     /// Whether it moves.
     pub fn moves(&self) -> bool {
         self.motion.is_some()
+    }
+
+    /// Whether it is a surface with an end that a node at x, which goes this far (m) in a step, is too far from to meet: where it
+    /// then is behind, it went round the end.
+    pub fn is_out_of_reach(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
+        let Shape::Patch(Patch { is_open: true, .. }) = &self.shape else { return false };
+        let touch = self.touch(x, time);
+        touch.gap.abs() > way + length * dot(&touch.velocity, &touch.velocity).sqrt()
     }
 
     /// How far a point is from being stopped at a time (m): infinitely by an inlet.
