@@ -112,6 +112,29 @@ fn a_vessel_full_to_the_lid_stays_at_rest() {
 }
 
 #[test]
+fn a_column_hangs_under_a_lid_as_in_a_straw_whatever_the_suction() {
+    // Open below; of 30 m water in air would boil.
+    for height in [0.2, 30.0] {
+        let mut cloud = block::<2, 3>([0.1 * height, height], [3, 30], 0.25);
+        let mut walls = tank([0.1 * height, height], Grip::Slip);
+        let lid = Plane { point: [0.0, height], normal: [0.0, -1.0] };
+        walls[2] = Wall::new("lid", Shape::Plane(lid), Grip::Slip);
+        touch(&mut cloud, &walls);
+        advance(&mut flow(WATER, 1e-10), &mut cloud, &walls, &gravity(), 1e-3, 0..50, |cloud, solution| {
+            let held: f64 = solution.reaction.iter().map(|force| force[1]).sum();
+            let weight = WATER.density * G * 0.1 * height * height;
+            assert!((held / weight - 1.0).abs() <= 1e-8 && largest_speed(cloud) <= 1e-9, "{held}");
+        });
+        for (p, x) in cloud.pressure.iter().zip(&cloud.place) {
+            assert!(
+                (p + WATER.density * G * x[1]).abs() <= 1e-8 * WATER.density * G * height,
+                "{p} at {x:?}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_step_that_turns_a_cell_over_is_refused_with_one_that_does_not() {
     let mut cloud = block::<2, 3>([0.1, 0.1], [4, 4], 0.0);
     let inner = (0..cloud.place.len()).find(|&node| cloud.place[node] == [0.05, 0.05]).unwrap();
