@@ -28,7 +28,7 @@ pub fn force_surface(
     let mut untouched = true;
     for round in 0.. {
         triangles.triangulate(cloud, draft)?;
-        let crossing = force(cloud, draft, triangles, &mut untouched);
+        let crossing = force(draft, triangles, &mut untouched);
         if crossing.is_empty() || round == ROUNDS {
             triangles.made.restore(&triangles.points);
             break;
@@ -48,14 +48,8 @@ pub fn force_surface(
     Ok(untouched)
 }
 
-/// Forces the edges of the draft in; those that could not be are taken out of it and returned with what they cross. A node on
-/// an edge at a wall, or in an inlet, is there too.
-fn force(
-    cloud: &mut Cloud<2, 3>,
-    draft: &mut Draft,
-    triangles: &mut Tessellation,
-    untouched: &mut bool,
-) -> Vec<([u32; 2], [u32; 2])> {
+/// Forces the edges of the draft in; those that could not be are taken out of it and returned with what they cross.
+fn force(draft: &mut Draft, triangles: &mut Tessellation, untouched: &mut bool) -> Vec<([u32; 2], [u32; 2])> {
     let mut crossing = Vec::new();
     let mut waiting = std::mem::take(&mut draft.waiting);
     waiting.extend(draft.edges.drain(..).rev());
@@ -70,8 +64,6 @@ fn force(
             Err(Obstacle::Point(m)) => {
                 *untouched = false;
                 let middle = triangles.node_of[m as usize];
-                let walls = cloud.contacts[a as usize].common(cloud.contacts[b as usize]);
-                walls.iter().for_each(|wall| cloud.contacts[middle as usize].insert(wall));
                 waiting.extend([[middle, b], [a, middle]]);
             }
             Err(Obstacle::Edge(other)) => {
