@@ -196,6 +196,7 @@ impl Simulation {
             smallest: self.smallest,
             advice: match limit.who {
                 Who::Dem => "soften the materials or lower time.smallest-window",
+                Who::Fluid if self.coupling.is_none() => "coarsen the mesh or lower time.smallest-window",
                 _ => {
                     "coarsen the mesh or lower time.smallest-window; if speeds grow without a cause, set \
                      coupling.scheme = \"serial-implicit\""

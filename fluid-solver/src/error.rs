@@ -135,6 +135,7 @@ impl FluidError {
             FluidError::Grains(VoidFractionError::Position { .. }) => ExitCode::NonFinite,
             FluidError::Grains(_) | FluidError::OtherMesh { .. } => ExitCode::CaseRefused,
             FluidError::Step(FlowFault::NonFinite { .. }) | FluidError::Delaunay(_) => ExitCode::NonFinite,
+            FluidError::Step(FlowFault::RoundEnd { .. }) => ExitCode::CaseRefused,
             FluidError::Step(_) => ExitCode::NotConverged,
             FluidError::Linear(_) => ExitCode::NotConverged,
             FluidError::Output(_) => ExitCode::Environment,

@@ -146,6 +146,13 @@ fn an_inlet_half_in_the_fluid_is_refused() {
 }
 
 #[test]
+fn an_outlet_that_no_fluid_can_reach_is_refused() {
+    let table = "[[fluid.outlet]]\nname = \"drain\"\nbeyond = { point = [\"0 mm\", \"0 mm\"], normal = [0, 1] }\n[[wall]]";
+    let message = ["the outlet \"drain\" is behind the wall \"y-min\"", "with a hole there"];
+    assert_refused(&Scene::tank().with("[[wall]]", table), "[[fluid.outlet]]", "fluid.outlet", &message);
+}
+
+#[test]
 fn fluid_behind_an_outlet_at_the_start_is_refused() {
     let table = "[[fluid.outlet]]\nname = \"drain\"\nbeyond = { point = [\"20 mm\", \"0 mm\"], normal = [-1, 0] }\n[[wall]]";
     let message = ["is behind the outlet \"drain\" at the start", "turn the normal round"];

@@ -57,7 +57,7 @@ pub enum Expected {
         /// Of the end \[m/s\].
         speed: f64,
     },
-    /// It runs with fluid that enters or leaves, whose energy is not its own: the largest volume error.
+    /// It runs with fluid that enters or leaves, or that walls drive, whose energy is not its own: the largest volume error.
     Open {
         /// |V + drops − V₀|/V₀, of what passed the gates booked.
         volume_error: f64,

@@ -98,7 +98,19 @@ fn edges() -> Vec<Trial> {
          polyline = { points = [[\"0.292 m\", \"-0.05 m\"], [\"0.292 m\", \"0.048 m\"], [\"0.316 m\", \"0.048 m\"], [\"0.316 m\", \"-0.05 m\"]] }\n";
     let lid = plane("lid", [0.0, 0.3], [0.0, -1.0]);
     let dam = |further: String| tank([0.0, 0.0], [0.146, 0.292], 0.0146, "", &["x-min", "y-min"], &further);
+    let beach = "[[fluid.boundary]]\non = [\"beach\", \"piston\"]\nkind = \"slip\"\n[[wall]]\nname = \"beach\"\n\
+         polyline = { points = [[\"-0.5 m\", \"0 m\"], [\"1.5 m\", \"0 m\"], [\"3.5 m\", \"0.8 m\"]] }\n\
+         [[wall]]\nname = \"piston\"\nplane = { point = [\"0 m\", \"0 m\"], normal = [1, 0] }\n\
+         motion = { oscillation = { direction = [1, 0], amplitude = \"50 mm\", frequency = \"0.7 1/s\" } }\n";
+    let waves = tank([0.0, 0.0], [1.5, 0.3], 0.03, "", &[], beach);
     vec![
+        trial(
+            "edge",
+            "a piston before a beach of 22 degrees",
+            (4e-3, 2.0),
+            Expected::Open { volume_error: 5e-3 },
+            waves,
+        ),
         trial("edge", "an obstacle with dry edges", (1e-3, 0.6), expected, dam(far.clone() + obstacle)),
         trial("edge", "air shut in under a lid", (1e-3, 0.8), expected, dam(far + &lid)),
     ]

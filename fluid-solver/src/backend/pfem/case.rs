@@ -69,7 +69,7 @@ fn backend<const D: usize, const N: usize>(
     let openings = gate::open(case, fluid, mesh.as_ref(), &mut walls, size, &mut all)?;
     velocity.resize(all.place.len(), [0.0; D]);
     refuse_unfit(case, &all, size)?;
-    let outlets = gate::outlets(case, fluid, mesh.as_ref(), size, &all)?;
+    let outlets = gate::outlets(case, fluid, mesh.as_ref(), &walls, size, &all)?;
     let mut cloud = all.cloud();
     cloud.velocity = velocity;
     touch(case, &mut cloud, &walls, size)?;

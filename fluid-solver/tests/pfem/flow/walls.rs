@@ -112,6 +112,29 @@ fn a_vessel_full_to_the_lid_stays_at_rest() {
 }
 
 #[test]
+fn a_column_hangs_under_a_lid_as_in_a_straw_whatever_the_suction() {
+    // Open below; of 30 m water in air would boil.
+    for height in [0.2, 30.0] {
+        let mut cloud = block::<2, 3>([0.1 * height, height], [3, 30], 0.25);
+        let mut walls = tank([0.1 * height, height], Grip::Slip);
+        let lid = Plane { point: [0.0, height], normal: [0.0, -1.0] };
+        walls[2] = Wall::new("lid", Shape::Plane(lid), Grip::Slip);
+        touch(&mut cloud, &walls);
+        advance(&mut flow(WATER, 1e-10), &mut cloud, &walls, &gravity(), 1e-3, 0..50, |cloud, solution| {
+            let held: f64 = solution.reaction.iter().map(|force| force[1]).sum();
+            let weight = WATER.density * G * 0.1 * height * height;
+            assert!((held / weight - 1.0).abs() <= 1e-8 && largest_speed(cloud) <= 1e-9, "{held}");
+        });
+        for (p, x) in cloud.pressure.iter().zip(&cloud.place) {
+            assert!(
+                (p + WATER.density * G * x[1]).abs() <= 1e-8 * WATER.density * G * height,
+                "{p} at {x:?}"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_step_that_turns_a_cell_over_is_refused_with_one_that_does_not() {
     let mut cloud = block::<2, 3>([0.1, 0.1], [4, 4], 0.0);
     let inner = (0..cloud.place.len()).find(|&node| cloud.place[node] == [0.05, 0.05]).unwrap();
@@ -184,4 +207,46 @@ fn a_drop_that_runs_along_a_floor_that_grips_is_dragged_as_a_film_of_its_size() 
     for (x, v) in cloud.place.iter().zip(&cloud.velocity) {
         assert!((v[0] - expected).abs() < 1e-12 && v[1] == 0.0 && x[1].abs() < 1e-15, "{x:?} {v:?}");
     }
+}
+
+#[test]
+fn a_drop_that_leaves_a_wall_that_grips_takes_all_of_its_momentum_along() {
+    let floor = Plane { point: [0.0; 2], normal: [0.0, 1.0] };
+    for grip in [Grip::NoSlip, Grip::WallFunction] {
+        let walls = [Wall::new("floor", Shape::Plane(floor), grip)];
+        let mut cloud = drops(&walls);
+        cloud.velocity.fill([1.0, 0.5]);
+        advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.01, 0..1, |_, _| ());
+        for (v, contacts) in cloud.velocity.iter().zip(&cloud.contacts) {
+            assert!(v[0] == 1.0 && (v[1] - 0.5 + 0.01 * G).abs() < 1e-15 && contacts.is_empty(), "{v:?}");
+        }
+    }
+}
+
+#[test]
+fn a_sheet_holds_fluid_on_one_side_and_what_comes_round_its_end_is_no_fluid_of_it() {
+    let sheet = patches::<2>(&[[[0.0, 1.0], [0.0, 0.0]]]).remove(0);
+    let walls = [Wall::new("sheet", Shape::Patch(sheet), Grip::Slip)];
+    let mut cloud = drops(&walls);
+    cloud.place.fill([-0.3, 1.1]);
+    cloud.velocity.fill([0.0; 2]);
+    advance(&mut flow(WATER, 1e-6), &mut cloud, &walls, &gravity(), 0.01, 0..30, |_, _| ());
+    for (x, contacts) in cloud.place.iter().zip(&cloud.contacts) {
+        assert!(x[0] == -0.3 && (x[1] - 1.1 + 0.5 * G * 0.09).abs() < 1e-12, "a drop falls past it: {x:?}");
+        assert!(contacts.is_empty());
+    }
+    // Cells there would hang together with those in front of it.
+    let mut cloud = block::<2, 3>([0.1, 0.1], [2, 2], 0.0);
+    cloud.place.iter_mut().for_each(|x| *x = [x[0] - 0.3, x[1] + 1.01]);
+    let (mut flow, mut time) = (flow(WATER, 1e-6), 0.0);
+    let fault = loop {
+        let step = Step { time, length: 0.01 };
+        match flow.solve(&cloud, &walls, step, &gravity()) {
+            Ok(solution) => solution.advance(&mut cloud, step),
+            Err(fault) => break fault,
+        }
+        time += step.length;
+    };
+    assert!(matches!(&fault, FlowFault::RoundEnd { wall, .. } if wall == "sheet"), "{fault}");
+    assert!(fault.to_string().contains("give the wall a thickness"), "{fault}");
 }

@@ -78,3 +78,35 @@ plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 1] }"#;
     assert_eq!(value(&*tank, "nodes[-]"), 0.0);
     assert!((value(&*tank, "volume-left[m^3]") - 0.01).abs() <= 1e-4);
 }
+
+#[test]
+fn a_fountain_comes_from_the_whole_nozzle_when_its_water_runs_back_to_it() {
+    let tables = r#"pfem.size = "12 mm"
+[[fluid.inlet]]
+name = "nozzle"
+box = { lower = ["-24 mm", "0 m"], upper = ["24 mm", "0 m"] }
+normal = [0, 1]
+speed = "1.5 m/s"
+[[fluid.boundary]]
+on = ["left", "right", "floor"]
+kind = "slip"
+[[wall]]
+name = "floor"
+plane = { point = ["0 m", "0 m"], normal = [0, 1] }
+[[wall]]
+name = "left"
+plane = { point = ["-0.15 m", "0 m"], normal = [1, 0] }
+[[wall]]
+name = "right"
+plane = { point = ["0.15 m", "0 m"], normal = [-1, 0] }"#;
+    let mut fountain = fluid("fountain", 2, tables);
+    for window in 0..12 {
+        advance(&mut *fountain, 2e-3, [0.05 * f64::from(window), 0.05 * f64::from(window + 1)]);
+        let speed = |x: f64| fountain.at(0.0, [x, 0.0, 0.0]).unwrap().velocity[1];
+        for x in [-23.9e-3, -10e-3, 5e-3, 23.9e-3] {
+            assert!((speed(x) / speed(0.0) - 1.0).abs() < 1e-9, "{x} m: {} of {}", speed(x), speed(0.0));
+        }
+    }
+    let volume = 0.048 * (0.012 + 1.5 * 0.6);
+    assert!((value(&*fountain, "volume[m^3]") / volume - 1.0).abs() < 5e-3);
+}

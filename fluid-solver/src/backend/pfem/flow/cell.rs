@@ -43,6 +43,10 @@ pub fn viscosity<const D: usize, const N: usize>(
     v: &[Vector<D>; N],
     rheology: &Rheology,
 ) -> f64 {
+    if rheology.is_newtonian() {
+        let (volume, _) = volume_and_areas(corners);
+        return volume / size(corners, volume) * rheology.viscosity(0.0);
+    }
     let cell = Cell::new(corners, v, 0.0, rheology);
     cell.fullness * cell.viscosity
 }

@@ -3,11 +3,19 @@
 use super::constraint::Constraint;
 use crate::backend::Step;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
-use crate::backend::pfem::wall::{Contacts, Grip, Touch, Wall, inlet_of, inlet_velocity};
+use crate::backend::pfem::wall::{Contacts, Grip, Shape, Touch, Wall, inlet_of, inlet_velocity};
 use crate::element::simplex::{Vector, dot};
+use std::collections::BTreeMap;
 
 /// A node has come past an edge of a wall where the normal has turned by more than the angle of this cosine.
 const EDGE: f64 = 0.7;
+
+/// A node that has come over edges within a wall this often in a step is held in the last one: what either side of it lets
+/// it do takes it to the other.
+const CROSSINGS: usize = 3;
+
+/// A normal has turned where it is off by more than this.
+const TURNED: f64 = 1e-6;
 
 /// So often a node in a corner is put where the walls of it leave it, and these are looked at from there.
 const SWEEPS: usize = 3;
@@ -44,12 +52,44 @@ pub struct Contact<const D: usize> {
     /// Whether each node sticks to the walls that it touched at the start where they grip: drops and nodes of the free
     /// surface slide.
     sticks: Vec<bool>,
+    /// How nodes stand to the surfaces of facets that hold them, by node and wall.
+    facets: BTreeMap<(usize, usize), Held<D>>,
+    /// The first node of a cell that came round the end of a wall, and that wall.
+    pub round_end: Option<(usize, usize)>,
+}
+
+/// n·v_m = c of the facet that holds a node, after that of the one before it.
+#[derive(Debug)]
+struct Held<const D: usize> {
+    facets: [(Vector<D>, f64); 2],
+    crossings: usize,
+}
+
+impl<const D: usize> Held<D> {
+    /// The node is held by this facet now.
+    fn by(&mut self, facet: (Vector<D>, f64)) {
+        if self.in_edge().is_some() {
+            return;
+        }
+        if dot(&self.facets[1].0, &facet.0) < 1.0 - TURNED {
+            self.facets[0] = self.facets[1];
+            self.crossings += 1;
+        }
+        self.facets[1] = facet;
+    }
+
+    /// Both facets, if the node is held in the edge between them.
+    fn in_edge(&self) -> Option<&[(Vector<D>, f64); 2]> {
+        (self.crossings == CROSSINGS).then_some(&self.facets)
+    }
 }
 
 impl<const D: usize> Contact<D> {
     /// Starts a step with the walls touched: a node of a free face slides, others stick to walls that grip.
     pub fn begin<const N: usize>(&mut self, cloud: &Cloud<D, N>) {
         self.touched.clone_from(&cloud.contacts);
+        self.facets.clear();
+        self.round_end = None;
         self.sticks.clear();
         self.sticks.resize(cloud.place.len(), false);
         for &node in cloud.cells.as_flattened() {
@@ -76,8 +116,9 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Prescribes v_m such that the gaps at the end vanish: n·v_m = n·v − gap(x_n + Δt v)/Δt, linear about the iterate v, or
-    /// in a corner about the place that the walls of it leave; a node that sticks has the velocity of the wall in the middle
-    /// of the step, one in an inlet that of what comes in.
+    /// in a corner about the place that the walls of it leave; a node that goes to and fro over an edge within a wall is held
+    /// by both sides of it. A node that sticks has the velocity of the wall in the middle of the step, one in an inlet that of
+    /// what comes in.
     pub fn constrain<const N: usize>(
         &mut self,
         cloud: &Cloud<D, N>,
@@ -101,11 +142,28 @@ impl<const D: usize> Contact<D> {
             if let Some(wall) = gripping {
                 v = walls[wall].touch(&moved(place, 0.5 * step.length, &v), middle).velocity;
             }
+            let on_facet = |wall: usize, v: &Vector<D>| {
+                let touch = reached(&walls[wall], step, place, v);
+                (touch.normal, dot(&touch.normal, v) - touch.gap / step.length)
+            };
+            for wall in touched.iter().filter(|&wall| matches!(walls[wall].shape, Shape::Patch(_))) {
+                let facet = on_facet(wall, &v);
+                let first = || Held { facets: [facet; 2], crossings: 0 };
+                self.facets.entry((node, wall)).or_insert_with(first).by(facet);
+            }
+            let facets = &self.facets;
             let hold = |v: &Vector<D>| {
                 let mut constraint = Constraint::FREE;
                 for wall in touched.iter() {
-                    let touch = reached(&walls[wall], step, place, v);
-                    constraint.add(&touch.normal, dot(&touch.normal, v) - touch.gap / step.length);
+                    match facets.get(&(node, wall)).and_then(Held::in_edge) {
+                        Some(sides) => {
+                            sides.iter().for_each(|(normal, value)| constraint.add(normal, *value))
+                        }
+                        None => {
+                            let (normal, value) = on_facet(wall, v);
+                            constraint.add(&normal, value);
+                        }
+                    }
                 }
                 constraint
             };
@@ -123,7 +181,7 @@ impl<const D: usize> Contact<D> {
     }
 
     /// Adds the walls that nodes would cross with these velocities; how many. Nodes in inlets cross none, and none come to be in
-    /// one.
+    /// one. What came round the end of a surface did not cross it: drops pass behind it.
     pub fn find<const N: usize>(
         &mut self,
         cloud: &Cloud<D, N>,
@@ -139,10 +197,20 @@ impl<const D: usize> Contact<D> {
             let end = moved(&cloud.place[node], step.length, &v[node]);
             let way = step.length * v[node].iter().map(|v| v.abs()).sum::<f64>();
             for (index, wall) in walls.iter().enumerate() {
-                if !touched.contains(index) && wall.gap(&end, step.end()) < -TOUCHING * way {
-                    touched.insert(index);
-                    found += 1;
+                if touched.contains(index) || wall.gap(&end, step.end()) >= -TOUCHING * way {
+                    continue;
                 }
+                let place = &cloud.place[node];
+                if wall.is_out_of_reach(place, step.time, way, step.length) {
+                    if cloud.drop[node] > 0.0 {
+                        continue;
+                    }
+                    if wall.gap(place, step.time) > 0.0 {
+                        self.round_end.get_or_insert((node, index));
+                    }
+                }
+                touched.insert(index);
+                found += 1;
             }
         }
         found
@@ -167,6 +235,10 @@ impl<const D: usize> Contact<D> {
         let mut gripped = None;
         for wall in touched.iter() {
             let touch = reached(&walls[wall], step, &cloud.place[node], middle);
+            let in_edge = self.facets.get(&(node, wall)).and_then(Held::in_edge);
+            for (normal, _) in in_edge.into_iter().flatten() {
+                constraint.add(normal, dot(normal, &touch.velocity));
+            }
             constraint.add(&touch.normal, dot(&touch.normal, &touch.velocity));
             if walls[wall].grip == Grip::NoSlip && self.sticks[node] && held.contains(wall) {
                 gripped = Some(touch.velocity);

@@ -8,14 +8,14 @@ use crate::backend::pfem::wall::Grip;
 use crate::element::simplex::{Vector, dot};
 
 impl<const D: usize, const N: usize> Flow<D, N> {
-    /// v_m of the drops: they fly, stop at walls and are dragged by those that grip.
+    /// v_m of the drops: they fly, stop at walls and are dragged by those that grip and that they do not leave.
     pub(super) fn fly(&mut self, start: Start<'_, D, N>, topology: &Topology<N>, velocity: &mut [Vector<D>]) {
         let Start { cloud, walls, step, forces } = start;
         for (node, v) in velocity.iter_mut().enumerate().filter(|(node, _)| topology.is_drop(*node)) {
             *v = moved(v, 0.5 * step.length, &forces.gravity);
+            self.contact.let_fly(walls, step, node, &cloud.place[node], v);
             let drag = self.drag_of_walls(start, node);
             *v = moved(v, -0.5, &drag);
-            self.contact.let_fly(walls, step, node, &cloud.place[node], v);
         }
         self.contact.find(cloud, walls, step, velocity);
     }
@@ -27,7 +27,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let Start { cloud, walls, step, .. } = start;
         let thickness = cloud.drop[node].powf(1.0 / D as f64);
         let mut lost = [0.0; D];
-        for wall in cloud.contacts[node].iter().filter(|&wall| walls[wall].grip != Grip::Slip) {
+        for wall in self.contact.touched[node].iter().filter(|&wall| walls[wall].grip != Grip::Slip) {
             let touch = walls[wall].touch(&cloud.place[node], step.time);
             let relative = moved(&cloud.velocity[node], -1.0, &touch.velocity);
             let along = moved(&relative, -dot(&relative, &touch.normal), &touch.normal);

@@ -35,6 +35,16 @@ pub enum FlowFault {
         /// The node with the largest force left (m).
         place: Vec<f64>,
     },
+    /// Fluid comes to the back of a wall without thickness.
+    #[error(
+        "at {place:?} m it runs round the end of the wall \"{wall}\", which holds it on one side only; allowed: fluid in front of a wall; give the wall a thickness, make it longer, or put a [[fluid.outlet]] before its end"
+    )]
+    RoundEnd {
+        /// Where it came from (m).
+        place: Vec<f64>,
+        /// The name of the wall.
+        wall: String,
+    },
     /// A number that is not finite.
     #[error(
         "node {node}: the {quantity} is {value} at t = {time} s; it must be finite: look at the forces and walls there"

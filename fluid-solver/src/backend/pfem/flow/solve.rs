@@ -186,6 +186,9 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             self.take_rebound(start, &mut mesh, &velocity);
         }
         self.mesh = Some(mesh);
+        if let Err(fault @ FlowFault::RoundEnd { .. }) = progress {
+            return Err(fault);
+        }
         if let Some((cell, time)) = self.first_breach(cloud, &velocity, step.length) {
             let place = cloud.place[cloud.cells[cell][0] as usize].to_vec();
             // What did not converge has velocities that say little.
@@ -299,6 +302,10 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 |change: &[f64], of: &[f64]| vector::norm(change) / vector::norm(of).max(f64::MIN_POSITIVE);
             change = share(dv.as_flattened(), velocity.as_flattened()).max(share(dp, pressure));
             met = self.contact.find(cloud, walls, step, velocity);
+            if let Some((node, wall)) = self.contact.round_end {
+                let (place, wall) = (cloud.place[node].to_vec(), walls[wall].name.clone());
+                return Err(FlowFault::RoundEnd { place, wall });
+            }
         }
     }
 

@@ -186,11 +186,12 @@ fn area_within<const D: usize, const N: usize>(body: &Body<D, N>, nodes: &[u32],
 /// The outlets.
 ///
 /// # Errors
-/// A boundary that is not flat; fluid behind an outlet at the start.
+/// A boundary that is not flat; fluid behind an outlet at the start; an outlet behind a wall.
 pub fn outlets<const D: usize, const N: usize>(
     case: &Case,
     fluid: &Fluid,
     mesh: Option<&Mesh<D, N>>,
+    walls: &[Wall<D>],
     size: f64,
     body: &Body<D, N>,
 ) -> Result<Vec<Outlet<D>>, FluidError> {
@@ -209,6 +210,11 @@ pub fn outlets<const D: usize, const N: usize>(
             let found = format!("the fluid at {x:?} m is behind the outlet \"{}\" at the start", outlet.name);
             let advice = "move one of them, or turn the normal round";
             return Err(case.error("fluid.outlet", found, "fluid before its outlets", advice).into());
+        }
+        if let Some(wall) = walls.iter().find(|wall| wall.hides(&outlet.plane, NEAR * size)) {
+            let found = format!("the outlet \"{}\" is behind the wall \"{}\"", outlet.name, wall.name);
+            let advice = "make the wall of a polyline or of triangles with a hole there";
+            return Err(case.error("fluid.outlet", found, "outlets that fluid can reach", advice).into());
         }
     }
     Ok(outlets)

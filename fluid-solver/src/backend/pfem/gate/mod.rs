@@ -51,6 +51,7 @@ impl<const D: usize> Gates<D> {
         solution.advance(cloud, step);
         let moved = Amount::of(cloud, acceleration);
         inlet::put_back(cloud, walls, &self.before);
+        inlet::take_in(cloud, walls);
         let filled = Amount::of(cloud, acceleration);
         for outlet in &self.outlets {
             // Drops that leave are taken out with their places.

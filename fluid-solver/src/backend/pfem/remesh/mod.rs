@@ -167,7 +167,7 @@ impl Remesher<2, 3> {
         book.management.add(pressed);
         events.landed = landed;
         let (broken, lost) = topology::break_thin_cells(cloud, draft, triangles, walls, time);
-        let (released, unborn) = topology::release_droplets(cloud, draft, triangles);
+        let (released, unborn) = topology::release_droplets(cloud, draft, triangles, walls);
         book.separation.add(-lost - unborn);
         let (absorbed, owed) = topology::absorb_drops(cloud, draft, triangles);
         book.absorption.add(-owed);

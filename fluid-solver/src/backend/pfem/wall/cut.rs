@@ -35,7 +35,8 @@ pub fn patches<const D: usize>(vertices: &[[Vector<D>; D]]) -> Vec<Patch<D>> {
         let facet = Facet { vertices: *corners, normal: normals[facet], sides: sides[facet] };
         found.entry(root).or_default().push(facet);
     }
-    found.into_values().map(Patch::new).collect()
+    let is_open = sides.as_flattened().contains(&Side::Rim);
+    found.into_values().map(|facets| Patch::new(facets, is_open)).collect()
 }
 
 /// The least facet of the patch that a facet belongs to.

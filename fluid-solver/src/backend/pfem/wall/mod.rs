@@ -16,8 +16,11 @@ pub use patch::Patch;
 pub use plane::Plane;
 pub use round::Round;
 
-use crate::element::simplex::Vector;
+use crate::element::simplex::{Vector, dot};
 use surface::motion::Motion;
+
+/// Planes whose normals have a cosine nearer to 1 than this are parallel.
+const PARALLEL: f64 = 1e-9;
 
 /// How a wall stands to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,6 +89,22 @@ impl<const D: usize> Wall<D> {
     /// Whether it moves.
     pub fn moves(&self) -> bool {
         self.motion.is_some()
+    }
+
+    /// Whether it is a plane at rest, other than an inlet, that nothing in front of it passes on the way to a plane of the same
+    /// direction `near` it (m) or behind.
+    pub fn hides(&self, plane: &Plane<D>, near: f64) -> bool {
+        let Shape::Plane(own) = &self.shape else { return false };
+        let is_held = self.motion.is_none() && self.inflow.is_none();
+        is_held && dot(&own.normal, &plane.normal) > 1.0 - PARALLEL && own.touch(&plane.point).gap <= near
+    }
+
+    /// Whether it is a surface with an end that a node at x, which goes this far (m) in a step, is too far from to meet: where it
+    /// then is behind, it went round the end.
+    pub fn is_out_of_reach(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
+        let Shape::Patch(Patch { is_open: true, .. }) = &self.shape else { return false };
+        let touch = self.touch(x, time);
+        touch.gap.abs() > way + length * dot(&touch.velocity, &touch.velocity).sqrt()
     }
 
     /// How far a point is from being stopped at a time (m): infinitely by an inlet.

@@ -30,6 +30,8 @@ pub(super) struct Facet<const D: usize> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Patch<const D: usize> {
     facets: Vec<Facet<D>>,
+    /// Whether the surface that it is a part of ends somewhere.
+    pub(super) is_open: bool,
     bins: Bins<D>,
     /// Size of the surface, for round-off (m).
     extent: f64,
@@ -45,13 +47,13 @@ const THICKNESS: f64 = 1e-3;
 const ONE: f64 = 1e-10;
 
 impl<const D: usize> Patch<D> {
-    pub(super) fn new(facets: Vec<Facet<D>>) -> Self {
+    pub(super) fn new(facets: Vec<Facet<D>>, is_open: bool) -> Self {
         let around = bounds(facets.iter().flat_map(|facet| &facet.vertices));
         let extent = distance(&around.0, &around.1);
         // A flat surface has bins of some thickness too.
         let around = (around.0.map(|c| c - THICKNESS * extent), around.1.map(|c| c + THICKNESS * extent));
         let bins = Bins::new(around, facets.len(), facets.len(), |k| bounds(&facets[k].vertices));
-        Self { facets, bins, extent }
+        Self { facets, is_open, bins, extent }
     }
 
     /// Vertices where the surface ends.

@@ -2,13 +2,13 @@
 
 use super::super::draft::{Draft, NONE};
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::{Contacts, Wall};
+use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
 use crate::element::simplex::{Vector, difference, distance, dot};
 
 /// Collapses edges shorter than half of h, shortest first.
 ///
 /// The edge b–c between a and d becomes a node m with area(a, m, d) = area(a, b, c, d). A node at more walls than
-/// the other keeps its place; the contact node of a wall does so too.
+/// the other keeps its place; the contact node of a wall does so too, and every node in an inlet.
 pub fn collapse_short_edges(cloud: &mut Cloud<2, 3>, draft: &mut Draft, walls: &[Wall<2>], time: f64) {
     let length = |edge: &[u32; 2]| distance(&cloud.place[edge[0] as usize], &cloud.place[edge[1] as usize]);
     let mut short: Vec<(f64, [u32; 2])> = draft
@@ -71,8 +71,8 @@ fn merged(
     if nb != nc {
         let survivor = if nb > nc { b } else { c };
         let fewer = if nb > nc { kc } else { kb };
-        let slides = nb.max(nc) == 1;
-        if !slides && nb.min(nc) > 0 {
+        let slides = nb.max(nc) == 1 && inlet_of(walls, contacts(survivor)).is_none();
+        if nb.max(nc) > 1 && nb.min(nc) > 0 {
             // Along one wall into a corner: nothing changes but the spacing.
             return (contacts(survivor).common(fewer) == fewer).then_some((survivor, at(survivor)));
         }
@@ -80,7 +80,18 @@ fn merged(
         let place = neutral([at(a), at(b), at(c), at(d)], at(survivor), direction, length, h)?;
         return Some((survivor, onto_wall(contacts(survivor), place, walls, time)));
     }
-    if kb != kc || nb > 1 {
+    if kb != kc {
+        return None;
+    }
+    if inlet_of(walls, kb).is_some() {
+        let ends_beside = |node: u32| contacts(node).common(kb) != kb;
+        return match [a, d].map(ends_beside) {
+            [true, true] => None,
+            [false, true] => Some((c, at(c))),
+            [_, false] => Some((b, at(b))),
+        };
+    }
+    if nb > 1 {
         return None;
     }
     if nb == 0 {

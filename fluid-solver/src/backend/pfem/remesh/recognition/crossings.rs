@@ -10,8 +10,11 @@ use delaunay::constrained::Obstacle;
 
 /// Rounds of triangulation after which edges that still cross are left out.
 const ROUNDS: usize = 12;
-/// A crossing closer than this share of h to a node is that node.
+/// A crossing closer than this share of h to a node is that node, in the first rounds: edges that lie along each other can
+/// cross again for ever where they are moved onto nodes.
 const SNAP: f64 = 0.1;
+/// Those rounds.
+const SNAPPING: usize = 6;
 
 /// Triangulates the nodes and forces the surface; false if the surface had to be changed for it.
 ///
@@ -32,8 +35,9 @@ pub fn force_surface(
         }
         untouched = false;
         let mut splits = Vec::new();
+        let snap = if round < SNAPPING { SNAP } else { 0.0 };
         for (edge, other) in &crossing {
-            let node = node_at_crossing(cloud, draft, *edge, *other);
+            let node = node_at_crossing(cloud, draft, *edge, *other, snap);
             splits.extend([(sorted(*edge), node), (sorted(*other), node)]);
         }
         splits.sort_unstable();
@@ -71,8 +75,14 @@ fn force(draft: &mut Draft, triangles: &mut Tessellation, untouched: &mut bool) 
     crossing
 }
 
-/// The node where two edges cross: one of their ends if that is near, or a new one.
-fn node_at_crossing(cloud: &mut Cloud<2, 3>, draft: &mut Draft, edge: [u32; 2], other: [u32; 2]) -> u32 {
+/// The node where two edges cross: one of their ends if that is nearer than a share of h, or a new one.
+fn node_at_crossing(
+    cloud: &mut Cloud<2, 3>,
+    draft: &mut Draft,
+    edge: [u32; 2],
+    other: [u32; 2],
+    snap: f64,
+) -> u32 {
     let at = |node: u32| cloud.place[node as usize];
     let ([a, b], [c, d]) = (edge.map(at), other.map(at));
     let cross = |p: &Vector<2>, q: &Vector<2>| p[0] * q[1] - p[1] * q[0];
@@ -83,7 +93,7 @@ fn node_at_crossing(cloud: &mut Cloud<2, 3>, draft: &mut Draft, edge: [u32; 2], 
     let place = [0, 1].map(|k| a[k] + s * ab[k]);
     let size = draft.size_between(edge[0], edge[1]);
     let ends = [edge[0], edge[1], other[0], other[1]];
-    let near = |node: &u32| distance(&at(*node), &place) <= SNAP * size;
+    let near = |node: &u32| distance(&at(*node), &place) <= snap * size;
     if let Some(node) = ends.into_iter().find(near) {
         return node;
     }

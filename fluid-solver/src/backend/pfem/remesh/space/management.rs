@@ -6,7 +6,7 @@ use super::fans::Fans;
 use super::freedom::{along_walls, behind, onto_walls};
 use super::surface::{Edits, cross};
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
-use crate::backend::pfem::wall::{Contacts, Wall};
+use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
 use crate::element::simplex::{Vector, difference, distance, dot, volume_and_areas};
 
 /// Management of nodes; all of it is scratch.
@@ -145,7 +145,7 @@ impl Management {
             }
             if surface {
                 let contacts = cloud.contacts[left];
-                if cloud.contacts[gone] == contacts {
+                if cloud.contacts[gone] == contacts && inlet_of(walls, contacts).is_none() {
                     let middle = |values: &[Vector<3>]| {
                         std::array::from_fn(|k| 0.5 * (values[gone][k] + values[left][k]))
                     };
@@ -250,6 +250,8 @@ mod tests {
     use super::super::surface;
     use super::*;
     use crate::backend::pfem::body::Body;
+    use crate::backend::pfem::wall::{Inflow, Plane};
+    use std::sync::Arc;
 
     #[test]
     fn an_edge_of_a_ball_that_becomes_a_node_takes_no_volume() {
@@ -269,5 +271,28 @@ mod tests {
         management.manage(&mut cloud, &mut draft, &[], 0.0);
         assert_eq!(draft.edges.len(), faces - 2);
         assert!((surface::enclosed(&cloud, &draft) - moved).abs() < 1e-14);
+    }
+
+    #[test]
+    fn nodes_in_an_inlet_stay_where_they_are_when_others_come_near() {
+        let mut cloud = Body::<3, 4>::of_box([0.0; 3], [1.0; 3], 0.25).unwrap().cloud();
+        let plane = Plane { point: [0.0; 3], normal: [0.0, 0.0, 1.0] };
+        let inflow = Inflow::new(plane.normal, 1.0, Arc::new(|_, _| [0.0, 0.0, 1.0]));
+        let walls = [Wall::inlet("inlet", plane, inflow)];
+        let inlet: Vec<usize> = (0..cloud.place.len()).filter(|&node| cloud.place[node][2] == 0.0).collect();
+        inlet.iter().for_each(|&node| cloud.contacts[node].insert(0));
+        // The youngest comes near a node of the edge.
+        let youngest = inlet.iter().copied().find(|&node| cloud.place[node][..2] == [0.25, 0.25]).unwrap();
+        cloud.birth[youngest] = u32::MAX - 1;
+        cloud.place[youngest] = [0.05, 0.25, 0.0];
+        let before = cloud.place.clone();
+        let (mut draft, mut management) = (Draft::<3>::default(), Management::default());
+        draft.read_sizes(&cloud, &TargetSize::Constant(0.25));
+        surface::read(&cloud, &mut draft);
+        management.manage(&mut cloud, &mut draft, &walls, 0.0);
+        assert!(draft.removed[youngest]);
+        for &node in inlet.iter().filter(|&&node| node != youngest) {
+            assert!(!draft.removed[node] && cloud.place[node] == before[node], "{:?}", before[node]);
+        }
     }
 }

@@ -3,17 +3,19 @@
 use super::super::draft::{Draft, area};
 use super::super::tessellation::{Scratch, Tessellation};
 use crate::backend::pfem::cloud::Cloud;
+use crate::backend::pfem::wall::{Wall, inlet_of};
 use crate::element::simplex::Vector;
 use delaunay::HULL;
 
 /// A piece smaller than this many h² is a drop.
 const SMALLEST: f64 = 0.3;
 
-/// Makes a drop of every small piece; returns their number and the area that is in none of them.
+/// Makes a drop of every small piece that hangs at no inlet; returns their number and the area that is in none of them.
 pub fn release_droplets(
     cloud: &mut Cloud<2, 3>,
     draft: &mut Draft,
     triangles: &mut Tessellation,
+    walls: &[Wall<2>],
 ) -> (u32, f64) {
     let (mut count, mut lost) = (0, 0.0);
     let mut scratch = std::mem::take(&mut triangles.scratch);
@@ -45,7 +47,9 @@ pub fn release_droplets(
             }
         }
         let h = draft.size[triangles.nodes(seed)[0] as usize];
-        if volume < SMALLEST * h * h {
+        let in_inlet = |node: u32| inlet_of(walls, cloud.contacts[node as usize]).is_some();
+        let grows = || piece.iter().flat_map(|&triangle| triangles.nodes(triangle)).any(in_inlet);
+        if volume < SMALLEST * h * h && !grows() {
             piece.iter().for_each(|&triangle| triangles.fluid[triangle] = false);
             triangles.mark_wet(cloud.place.len(), marks);
             lost += gather(cloud, draft, (triangles, marks), piece, volume, moment, momentum);

@@ -3,7 +3,7 @@
 use super::super::draft::{Draft, area, height};
 use super::super::tessellation::Tessellation;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::Wall;
+use crate::backend::pfem::wall::{Wall, inlet_of};
 use crate::element::simplex::dot;
 use delaunay::HULL;
 
@@ -29,6 +29,9 @@ pub fn land_on_walls(
             let Some(wall) = a.common(b).iter().find(|&wall| !cloud.contacts[apex].contains(wall)) else {
                 continue;
             };
+            if inlet_of(walls, a.common(b)).is_some() {
+                continue;
+            }
             let next = triangles.neighbours(triangle)[i];
             let at_wall = next == HULL || !triangles.fluid[next as usize];
             let thin = || height(&triangles.vertices(triangle)) < FILM * draft.size[apex];

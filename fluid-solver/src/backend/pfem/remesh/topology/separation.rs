@@ -4,7 +4,7 @@ use super::super::buried::is_buried;
 use super::super::draft::{Draft, area, height};
 use super::super::tessellation::Tessellation;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::Wall;
+use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
 use delaunay::HULL;
 
 /// A cell between two surfaces breaks when it is thinner than this share of h.
@@ -14,7 +14,8 @@ const THINNEST: f64 = 0.05;
 const SMALLEST_DROP: f64 = 1e-3;
 
 /// Breaks thin cells that have all corners on the surface and a side that is open: others would leave a hole; and those that cut
-/// the corner of an obstacle. Nodes that lose their last cell become drops with its volume.
+/// the corner of an obstacle. Cells with a side in an inlet stay: they grow. Nodes that lose their last cell become drops with
+/// its volume.
 ///
 /// Returns the number of cells and the area that is in none of the drops.
 pub fn break_thin_cells(
@@ -42,8 +43,9 @@ pub fn break_thin_cells(
         let thin = || height(&triangles.vertices(triangle)) < THINNEST * h;
         let between_surfaces = || nodes.iter().all(|&node| exposed[node as usize]);
         let ends = || triangles.along_one_wall(cloud, triangle) || open(cloud, triangles, triangle);
+        let grows = || (0..3).any(|i| inlet_of(walls, contacts_across(cloud, &nodes, i)).is_some());
         let buried = || is_buried(cloud, walls, time, &nodes, h);
-        if (between_surfaces() && thin() && ends()) || buried() {
+        if (between_surfaces() && thin() && ends() && !grows()) || buried() {
             broken.push(triangle);
         }
     }
@@ -73,10 +75,13 @@ pub fn break_thin_cells(
 fn open(cloud: &Cloud<2, 3>, triangles: &Tessellation, triangle: usize) -> bool {
     let nodes = triangles.nodes(triangle);
     (0..3).any(|i| match triangles.neighbours(triangle)[i] {
-        HULL => {
-            let [a, b] = [1, 2].map(|k| cloud.contacts[nodes[(i + k) % 3] as usize]);
-            a.common(b).is_empty()
-        }
+        HULL => contacts_across(cloud, &nodes, i).is_empty(),
         next => !triangles.fluid[next as usize],
     })
+}
+
+/// Walls that the side opposite to a corner is at.
+fn contacts_across(cloud: &Cloud<2, 3>, nodes: &[u32; 3], corner: usize) -> Contacts {
+    let [a, b] = [1, 2].map(|k| cloud.contacts[nodes[(corner + k) % 3] as usize]);
+    a.common(b)
 }
