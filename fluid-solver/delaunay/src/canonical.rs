@@ -72,8 +72,10 @@ impl<const N: usize> Canonical<N> {
             *next += 1;
         }
         let Triangulation { cells, neighbours, .. } = triangulation;
-        cells.clear();
-        neighbours.clear();
+        for list in [&mut *cells, &mut *neighbours] {
+            list.clear();
+            list.reserve(entries.len());
+        }
         for (first, range) in (0..points).step_by(width).zip(ranges) {
             let start = range.start;
             block.resize(range.len(), none);
