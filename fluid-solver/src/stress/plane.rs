@@ -103,7 +103,22 @@ fn edges() -> Vec<Trial> {
          [[wall]]\nname = \"piston\"\nplane = { point = [\"0 m\", \"0 m\"], normal = [1, 0] }\n\
          motion = { oscillation = { direction = [1, 0], amplitude = \"50 mm\", frequency = \"0.7 1/s\" } }\n";
     let waves = tank([0.0, 0.0], [1.5, 0.3], 0.03, "", &[], beach);
+    let slips = |wall: &str| format!("{}[[wall]]\nname = \"{wall}\"\n", boundary(&[wall], "slip"));
+    let block = "polyline = { closed = true, points = [[\"-0.05 m\", \"0.17 m\"], [\"-0.05 m\", \"0.27 m\"], [\"0.05 m\", \"0.27 m\"], [\"0.05 m\", \"0.17 m\"]] }\n\
+         motion = { translation = [\"0 m/s\", \"-0.1 m/s\"] }\n";
+    let held = ["x-min", "x-max", "y-min"];
+    let pushed = tank([-0.2, 0.0], [0.2, 0.15], 0.01, "", &held, &(slips("block") + block));
+    let sill = "polyline.points = [[\"0 m\", \"1 m\"], [\"0 m\", \"0 m\"], [\"0.5 m\", \"0 m\"], [\"0.5 m\", \"0.2 m\"], [\"0.52 m\", \"0.2 m\"], [\"0.52 m\", \"-0.2 m\"], [\"1.2 m\", \"-0.2 m\"], [\"1.2 m\", \"1 m\"]]\n";
+    let weir = tank([0.0, 0.0], [0.5, 0.25], 0.0125, "", &[], &(slips("tank") + sill));
     vec![
+        trial(
+            "edge",
+            "a block let down on level water",
+            (1e-3, 0.4),
+            Expected::Open { volume_error: 1e-3 },
+            pushed,
+        ),
+        trial("edge", "a weir into a lower tank", (2e-3, 0.8), expected, weir),
         trial(
             "edge",
             "a piston before a beach of 22 degrees",

@@ -54,7 +54,7 @@ pub struct Contact<const D: usize> {
     sticks: Vec<bool>,
     /// How nodes stand to the surfaces of facets that hold them, by node and wall.
     facets: BTreeMap<(usize, usize), Held<D>>,
-    /// The first node of a cell that came round the end of a wall, and that wall.
+    /// The first node of a cell that came round the end of a wall with the velocities looked at last, and that wall.
     pub round_end: Option<(usize, usize)>,
 }
 
@@ -190,6 +190,7 @@ impl<const D: usize> Contact<D> {
         v: &[Vector<D>],
     ) -> usize {
         let mut found = 0;
+        self.round_end = None;
         for (node, touched) in self.touched.iter_mut().enumerate() {
             if inlet_of(walls, *touched).is_some() {
                 continue;
@@ -201,12 +202,16 @@ impl<const D: usize> Contact<D> {
                     continue;
                 }
                 let place = &cloud.place[node];
+                if wall.is_behind_corner(place, step.time, way, step.length) {
+                    continue;
+                }
                 if wall.is_out_of_reach(place, step.time, way, step.length) {
                     if cloud.drop[node] > 0.0 {
                         continue;
                     }
                     if wall.gap(place, step.time) > 0.0 {
                         self.round_end.get_or_insert((node, index));
+                        continue;
                     }
                 }
                 touched.insert(index);

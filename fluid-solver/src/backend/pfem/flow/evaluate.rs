@@ -63,6 +63,14 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         (self.inertia(start.step) + drag) * spacing
     }
 
+    /// Norm of V_i ρ/(θΔt) |x_i|/Δt over the nodes at walls (N): gaps are differences of places, and v_m closes them in the step.
+    pub(super) fn gap_size(&self, start: Start<'_, D, N>) -> f64 {
+        let Start { cloud, step, .. } = start;
+        let rate = self.inertia(step) / step.length;
+        let held = cloud.place.iter().enumerate().filter(|(node, _)| !self.contact.touched[*node].is_empty());
+        held.map(|(node, x)| (rate * self.assembly.volumes[node]).powi(2) * dot(x, x)).sum::<f64>().sqrt()
+    }
+
     /// Norms of (V_i ρ/(θΔt) + d/θ)v with the stresses on the node, and of the sizes of the terms that make up a force (N).
     pub(super) fn sizes(
         &mut self,

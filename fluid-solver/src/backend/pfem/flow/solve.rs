@@ -222,6 +222,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             }
             self.evaluate(start, topology, velocity, pressure);
             let scale = self.volume_scale(start);
+            let gap_size = self.gap_size(start);
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
             let implicitness = self.implicitness;
@@ -262,7 +263,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 target = self.control.tolerance * (norm + momentum_size);
                 limit = GROWN * (norm + momentum_size + force_size);
             }
-            let allowed = target.max(ROUND_OFF * force_size);
+            let allowed = target.max(ROUND_OFF * force_size.hypot(gap_size));
             let [momentum, volume] = sizes.map(|size| size / (momentum_size + force_size).max(norm));
             progress.residuals = Residuals { momentum, volume };
             let Progress { passes, iterations, .. } = progress;
@@ -270,7 +271,15 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             // Round-off of forces that grow without end would be taken for convergence.
             let verdict = if norm + force_size > limit { Verdict::Failed } else { scheme.judge(&iterate) };
             match verdict {
-                Verdict::Done => return Ok(progress),
+                Verdict::Done => {
+                    return match self.contact.round_end {
+                        None => Ok(progress),
+                        Some((node, wall)) => Err(FlowFault::RoundEnd {
+                            place: cloud.place[node].to_vec(),
+                            wall: walls[wall].name.clone(),
+                        }),
+                    };
+                }
                 Verdict::Again => {}
                 Verdict::Failed => {
                     let (time, target) = (step.time, allowed);
@@ -302,10 +311,6 @@ impl<const D: usize, const N: usize> Flow<D, N> {
                 |change: &[f64], of: &[f64]| vector::norm(change) / vector::norm(of).max(f64::MIN_POSITIVE);
             change = share(dv.as_flattened(), velocity.as_flattened()).max(share(dp, pressure));
             met = self.contact.find(cloud, walls, step, velocity);
-            if let Some((node, wall)) = self.contact.round_end {
-                let (place, wall) = (cloud.place[node].to_vec(), walls[wall].name.clone());
-                return Err(FlowFault::RoundEnd { place, wall });
-            }
         }
     }
 

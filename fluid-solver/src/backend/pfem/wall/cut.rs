@@ -93,6 +93,16 @@ mod tests {
     }
 
     #[test]
+    fn deep_below_a_floor_but_far_from_it_is_not_behind_it() {
+        // A tank with a weir into a lower one.
+        let weir =
+            line(&[[0.0, 1.0], [0.0, 0.0], [0.5, 0.0], [0.5, 0.2], [0.52, 0.2], [0.52, -0.2], [1.2, -0.2]]);
+        for depth in [0.05, 0.1, 0.19] {
+            assert!(weir.iter().all(|wall| wall.touch(&[0.76, -depth]).gap > 0.0), "{depth}");
+        }
+    }
+
+    #[test]
     fn round_a_step_the_facet_that_faces_the_fluid_is_touched() {
         // A block on the floor, the fluid around it: floor and block meet at concave edges, the block's own are convex.
         let step = line(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [2.0, 1.0], [2.0, 0.0], [3.0, 0.0]]);

@@ -103,6 +103,21 @@ impl<const D: usize> Wall<D> {
     /// then is behind, it went round the end.
     pub fn is_out_of_reach(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
         let Shape::Patch(Patch { is_open: true, .. }) = &self.shape else { return false };
+        self.is_farther_than(x, time, way, length)
+    }
+
+    /// Whether it is a surface whose nearest edge is a concave one that a node at x, which goes this far (m) in a step, is too far
+    /// from to be pushed out through: where it then is behind, it is so behind the corner only.
+    pub fn is_behind_corner(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
+        let Shape::Patch(patch) = &self.shape else { return false };
+        let at_start = match &self.motion {
+            Some(motion) => motion.pose(time).unmoved(&(*x).into()).into(),
+            None => *x,
+        };
+        self.is_farther_than(x, time, way, length) && patch.is_at_concave_edge(&at_start)
+    }
+
+    fn is_farther_than(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
         let touch = self.touch(x, time);
         touch.gap.abs() > way + length * dot(&touch.velocity, &touch.velocity).sqrt()
     }

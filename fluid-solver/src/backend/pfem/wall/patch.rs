@@ -40,6 +40,9 @@ pub struct Patch<const D: usize> {
 /// Through a corner a point is pushed at most this many times farther than it is behind a facet of it.
 const BEYOND: f64 = 3.0;
 
+/// And at most this far beyond the edge, in parts of the extent: what is deep behind a patch but far from it is elsewhere.
+const CORNER: f64 = 0.1;
+
 /// Of the bins of a flat surface, in parts of its extent.
 const THICKNESS: f64 = 1e-3;
 
@@ -97,7 +100,7 @@ impl<const D: usize> Patch<D> {
         place = on_facet(&chosen.vertices, x);
         let ends = match self.end_at(chosen, &place) {
             Side::Joined => false,
-            Side::Concave => least > BEYOND * -gap,
+            Side::Concave => least > BEYOND * -gap || least > CORNER * self.extent,
             Side::Rim => true,
         };
         if ends && least > 0.0 {
@@ -105,6 +108,14 @@ impl<const D: usize> Patch<D> {
             return Touch { gap: least, normal: away, velocity: [0.0; D] };
         }
         Touch { gap, normal: chosen.normal, velocity: [0.0; D] }
+    }
+
+    /// Whether what is nearest to x is an edge where the surface goes on as another patch.
+    pub(super) fn is_at_concave_edge(&self, x: &Vector<D>) -> bool {
+        let place = |k: u32| on_facet(&self.facets[k as usize].vertices, x);
+        let squared = |k: u32| distance(x, &place(k)).powi(2);
+        let nearest = self.bins.nearest(x, squared);
+        nearest.is_some_and(|k| self.end_at(&self.facets[k as usize], &place(k)) == Side::Concave)
     }
 
     /// What is at the place of a facet's side.
