@@ -41,7 +41,7 @@ pub struct Patch<const D: usize> {
 const BEYOND: f64 = 3.0;
 
 /// And at most this far beyond the edge, in parts of the extent: what is deep behind a patch but far from it is elsewhere.
-const CORNER: f64 = 0.1;
+const CORNER: f64 = 0.15;
 
 /// Of the bins of a flat surface, in parts of its extent.
 const THICKNESS: f64 = 1e-3;
