@@ -36,6 +36,8 @@ fn least_implicitness(void_fraction: &[f64]) -> f64 {
 
 /// Residuals below this share of the sizes of their terms are round-off.
 const ROUND_OFF: f64 = 2e-15;
+/// What so many passes have not solved may be as near as places tell.
+const STALLED: u64 = 5;
 /// Forces that grow by this factor within a step do not converge.
 const GROWN: f64 = 1e6;
 
@@ -222,7 +224,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             }
             self.evaluate(start, topology, velocity, pressure);
             let scale = self.volume_scale(start);
-            let gap_size = self.gap_size(start);
+            let gap_size = if progress.passes < STALLED { 0.0 } else { self.gap_size(start) };
             let (momentum_size, force_size) = self.sizes(start, topology, (velocity, pressure), scale);
 
             let implicitness = self.implicitness;
