@@ -77,8 +77,7 @@ fn ten_periods(cells: [usize; 2]) -> [f64; 2] {
 fn the_period_is_that_of_linear_theory_and_ten_periods_keep_volume_and_amplitude() {
     for (cells, error) in [([40, 20], 2e-3), ([80, 40], 1e-3)] {
         let [period, last] = ten_periods(cells);
-        println!("{cells:?}: period {period}, amplitude {last}");
-        assert!((period - 1.0).abs() <= error, "{period} of the exact one");
+        assert!((period - 1.0).abs() <= error, "{cells:?}: {period} of the exact one");
         assert!((last - 1.0).abs() <= 0.02, "{last}");
     }
 }
