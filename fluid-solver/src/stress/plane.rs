@@ -1,7 +1,7 @@
 //! Tanks of water in the plane, poured, shaken, struck.
 
 use super::outcome::Expected;
-use super::scene::{boundary, drop, plane, tank};
+use super::scene::{boundary, drop, plane, polyline, tank, wall};
 use super::trial::{AT_REST, Effort, GRAVITY, Kind, MOVING, Trial};
 
 /// All of them.
@@ -94,22 +94,25 @@ fn long(effort: Effort) -> Vec<Trial> {
 fn edges() -> Vec<Trial> {
     let expected = Expected::Run { volume_error: 1e-2, speed: MOVING };
     let far = plane("far-wall", [0.584, 0.0], [-1.0, 0.0]);
-    let obstacle = "[[fluid.boundary]]\non = [\"obstacle\"]\nkind = \"slip\"\n[[wall]]\nname = \"obstacle\"\n\
-         polyline = { points = [[\"0.292 m\", \"-0.05 m\"], [\"0.292 m\", \"0.048 m\"], [\"0.316 m\", \"0.048 m\"], [\"0.316 m\", \"-0.05 m\"]] }\n";
+    let obstacle = [[0.292, -0.05], [0.292, 0.048], [0.316, 0.048], [0.316, -0.05]];
+    let obstacle = wall("obstacle", &polyline(&obstacle));
     let lid = plane("lid", [0.0, 0.3], [0.0, -1.0]);
     let dam = |further: String| tank([0.0, 0.0], [0.146, 0.292], 0.0146, "", &["x-min", "y-min"], &further);
-    let beach = "[[fluid.boundary]]\non = [\"beach\", \"piston\"]\nkind = \"slip\"\n[[wall]]\nname = \"beach\"\n\
-         polyline = { points = [[\"-0.5 m\", \"0 m\"], [\"1.5 m\", \"0 m\"], [\"3.5 m\", \"0.8 m\"]] }\n\
-         [[wall]]\nname = \"piston\"\nplane = { point = [\"0 m\", \"0 m\"], normal = [1, 0] }\n\
-         motion = { oscillation = { direction = [1, 0], amplitude = \"50 mm\", frequency = \"0.7 1/s\" } }\n";
-    let waves = tank([0.0, 0.0], [1.5, 0.3], 0.03, "", &[], beach);
-    let slips = |wall: &str| format!("{}[[wall]]\nname = \"{wall}\"\n", boundary(&[wall], "slip"));
-    let block = "polyline = { closed = true, points = [[\"-0.05 m\", \"0.17 m\"], [\"-0.05 m\", \"0.27 m\"], [\"0.05 m\", \"0.27 m\"], [\"0.05 m\", \"0.17 m\"]] }\n\
-         motion = { translation = [\"0 m/s\", \"-0.1 m/s\"] }\n";
-    let held = ["x-min", "x-max", "y-min"];
-    let pushed = tank([-0.2, 0.0], [0.2, 0.15], 0.01, "", &held, &(slips("block") + block));
-    let sill = "polyline.points = [[\"0 m\", \"1 m\"], [\"0 m\", \"0 m\"], [\"0.5 m\", \"0 m\"], [\"0.5 m\", \"0.2 m\"], [\"0.52 m\", \"0.2 m\"], [\"0.52 m\", \"-0.2 m\"], [\"1.2 m\", \"-0.2 m\"], [\"1.2 m\", \"1 m\"]]\n";
-    let weir = tank([0.0, 0.0], [0.5, 0.25], 0.0125, "", &[], &(slips("tank") + sill));
+
+    let beach = wall("beach", &polyline(&[[-0.5, 0.0], [1.5, 0.0], [3.5, 0.8]]));
+    let stroke =
+        "motion = { oscillation = { direction = [1, 0], amplitude = \"50 mm\", frequency = \"0.7 1/s\" } }\n";
+    let piston = plane("piston", [0.0, 0.0], [1.0, 0.0]) + stroke;
+    let waves = tank([0.0, 0.0], [1.5, 0.3], 0.03, "", &[], &(beach + &piston));
+
+    let block = polyline(&[[-0.05, 0.17], [-0.05, 0.27], [0.05, 0.27], [0.05, 0.17]]);
+    let sinks = "polyline.closed = true\nmotion = { translation = [\"0 m/s\", \"-0.1 m/s\"] }";
+    let block = wall("block", &format!("{block}\n{sinks}"));
+    let pushed = tank([-0.2, 0.0], [0.2, 0.15], 0.01, "", &["x-min", "x-max", "y-min"], &block);
+
+    let sill =
+        [[0.0, 1.0], [0.0, 0.0], [0.5, 0.0], [0.5, 0.2], [0.52, 0.2], [0.52, -0.2], [1.2, -0.2], [1.2, 1.0]];
+    let weir = tank([0.0, 0.0], [0.5, 0.25], 0.0125, "", &[], &wall("tank", &polyline(&sill)));
     vec![
         trial(
             "edge",
@@ -126,7 +129,7 @@ fn edges() -> Vec<Trial> {
             Expected::Open { volume_error: 5e-3 },
             waves,
         ),
-        trial("edge", "an obstacle with dry edges", (1e-3, 0.6), expected, dam(far.clone() + obstacle)),
+        trial("edge", "an obstacle with dry edges", (1e-3, 0.6), expected, dam(far.clone() + &obstacle)),
         trial("edge", "air shut in under a lid", (1e-3, 0.8), expected, dam(far + &lid)),
     ]
 }

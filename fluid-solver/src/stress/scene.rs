@@ -39,11 +39,18 @@ pub fn boundary(sides: &[&str], kind: &str) -> String {
 
 /// A plane wall that no side of the mesh is on.
 pub fn plane<const D: usize>(name: &str, point: [f64; D], normal: [f64; D]) -> String {
-    format!(
-        "{}[[wall]]\nname = \"{name}\"\nplane = {{ point = {}, normal = {normal:?} }}\n",
-        boundary(&[name], "slip"),
-        lengths(point)
-    )
+    wall(name, &format!("plane = {{ point = {}, normal = {normal:?} }}", lengths(point)))
+}
+
+/// The shape of a wall in the plane.
+pub fn polyline(points: &[[f64; 2]]) -> String {
+    let points: Vec<String> = points.iter().map(|point| lengths(*point)).collect();
+    format!("polyline.points = [{}]", points.join(", "))
+}
+
+/// A wall of some shape that no side of the mesh is on.
+pub fn wall(name: &str, shape: &str) -> String {
+    format!("{}[[wall]]\nname = \"{name}\"\n{shape}\n", boundary(&[name], "slip"))
 }
 
 /// A ball of fluid (2D: a disc) that falls.

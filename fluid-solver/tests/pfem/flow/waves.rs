@@ -1,9 +1,9 @@
 //! Standing waves of small amplitude in a tank of width 1 m, half a wave long: k = π.
 
-use crate::support::{WATER, advance, block, flow, newtonian, tank, touch, volume};
+use crate::support::{G, WATER, advance, block, flow, newtonian, tank, touch, volume};
 use fluid_solver::backend::pfem::cloud::Cloud;
 use fluid_solver::backend::pfem::flow::{Fluid, Forces};
-use fluid_solver::backend::pfem::wall::Grip;
+use fluid_solver::backend::pfem::wall::{Grip, Wall};
 use std::f64::consts::PI;
 
 /// A wave a cos kx on water of a depth; rows of nodes are closer by a factor of `grading` at the surface than below.
@@ -36,13 +36,24 @@ impl Wave {
         2.0 * integral / self.amplitude
     }
 
-    /// The coefficient after each step, the first before them.
-    fn run(&self, fluid: Fluid, gravity: f64, length: f64, steps: usize) -> Vec<f64> {
+    /// The water at rest in its tank, and the tank.
+    pub fn at_rest(&self, fluid: Fluid, gravity: f64) -> (Cloud<2, 3>, Vec<Wall<2>>) {
         let (mut cloud, walls) = (self.cloud(), tank([1.0, 2.0 * self.depth], Grip::Slip));
         touch(&mut cloud, &walls);
         for (p, x) in cloud.pressure.iter_mut().zip(&cloud.place) {
             *p = fluid.density * gravity * (self.depth - x[1]);
         }
+        (cloud, walls)
+    }
+
+    /// That of linear theory under gravity (s).
+    pub fn period(&self, gravity: f64) -> f64 {
+        2.0 * PI / (gravity * PI * (PI * self.depth).tanh()).sqrt()
+    }
+
+    /// The coefficient after each step, the first before them.
+    fn run(&self, fluid: Fluid, gravity: f64, length: f64, steps: usize) -> Vec<f64> {
+        let (mut cloud, walls) = self.at_rest(fluid, gravity);
         let start = volume(&cloud);
         let mut series = vec![self.coefficient(&cloud)];
         let forces = Forces { gravity: [0.0, -gravity], grains: None };
@@ -64,9 +75,9 @@ pub fn zeros(series: &[f64], length: f64) -> Vec<f64> {
 /// Ten periods of a wave on water of half the tank's width: the period over the exact one, the amplitude of the last.
 fn ten_periods(cells: [usize; 2]) -> [f64; 2] {
     let wave = Wave { depth: 0.5, cells, grading: 1.0, amplitude: 5e-3 };
-    let exact = 2.0 * PI / (9.81 * PI * (PI * wave.depth).tanh()).sqrt();
+    let exact = wave.period(G);
     let length = exact / 100.0;
-    let series = wave.run(WATER, 9.81, length, 1030);
+    let series = wave.run(WATER, G, length, 1030);
     let zeros = zeros(&series, length);
     let period = (zeros[20] - zeros[0]) / 10.0;
     let last = series[1000 - 50..].iter().fold(0.0f64, |max, a| max.max(a.abs()));

@@ -2,24 +2,18 @@
 
 use super::scene::Tank;
 use crate::flow::waves::Wave;
-use crate::support::{WATER, flow, tank, touch};
+use crate::support::{G, WATER, flow};
 use fluid_solver::backend::pfem::grains::GrainsInCloud;
-use fluid_solver::backend::pfem::wall::Grip;
 use fluid_solver::grains::Spreading;
 use interface::frames::{GrainRow, ReactionRow};
-use std::f64::consts::PI;
 
 /// Largest amplitude in the fifth period of a standing wave over grains that are held, relative to the first; `packing`
 /// scales their size.
 fn kept(packing: f64) -> f64 {
     let wave = Wave { depth: 0.5, cells: [20, 10], grading: 1.0, amplitude: 5e-3 };
-    let (mut cloud, walls) = (wave.cloud(), tank([1.0, 1.0], Grip::Slip));
-    touch(&mut cloud, &walls);
-    for (p, x) in cloud.pressure.iter_mut().zip(&cloud.place) {
-        *p = 9810.0 * (wave.depth - x[1]);
-    }
+    let (cloud, walls) = wave.at_rest(WATER, G);
     let grains = GrainsInCloud::new(WATER, 1.0, cloud.place.len(), Spreading::Kernel);
-    let mut tank = Tank { flow: flow(WATER, 1e-8), cloud, walls: walls.to_vec(), grains, time: 0.0 };
+    let mut tank = Tank { flow: flow(WATER, 1e-8), cloud, walls, grains, time: 0.0 };
     let rows: Vec<GrainRow> = (0..19)
         .map(|n| GrainRow {
             id: n,
@@ -31,10 +25,9 @@ fn kept(packing: f64) -> f64 {
         .collect();
     tank.grains.populate(&tank.cloud, &rows).unwrap();
     let steps = 40;
-    let period = 2.0 * PI / (9.81 * PI * (PI * wave.depth).tanh()).sqrt();
     let mut last: f64 = 0.0;
     for n in 0..5 * steps {
-        let length = period / f64::from(steps);
+        let length = wave.period(G) / f64::from(steps);
         let (solution, _) = tank.window(length, &rows, 1, |_| vec![ReactionRow::default(); rows.len()]);
         tank.commit(length, &solution);
         if n >= 4 * steps {

@@ -202,14 +202,12 @@ impl<const D: usize> Contact<D> {
                     continue;
                 }
                 let place = &cloud.place[node];
-                if wall.is_behind_corner(place, step.time, way, step.length) {
-                    continue;
-                }
                 if wall.is_out_of_reach(place, step.time, way, step.length) {
-                    if cloud.drop[node] > 0.0 {
+                    let passes = wall.is_open() && cloud.drop[node] > 0.0;
+                    if passes || wall.is_nearest_at_corner(place, step.time) {
                         continue;
                     }
-                    if wall.gap(place, step.time) > 0.0 {
+                    if wall.is_open() && wall.gap(place, step.time) > 0.0 {
                         self.round_end.get_or_insert((node, index));
                         continue;
                     }

@@ -162,10 +162,7 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
                 }
             }
         });
-        for_each(volume, |node, volume| {
-            let corners = topology.corners(node).iter();
-            *volume = corners.map(|c| rows[c.cell as usize].1[c.local as usize]).sum();
-        });
+        sum_volumes(topology, rows, volume);
     }
 
     /// ∫N_i ∇·((ε + e)v) (m³/s), see [`Porous::divergence`].
@@ -183,10 +180,7 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
             let v = nodes.map(|node| velocity[node]);
             rows.1 = grains.cells[index].divergence(&cells[index], &v, entrained);
         });
-        for_each(divergence, |node, rate| {
-            let corners = topology.corners(node).iter();
-            *rate = corners.map(|c| rows[c.cell as usize].1[c.local as usize]).sum();
-        });
+        sum_volumes(topology, rows, divergence);
     }
 
     /// ∫p∇(εN_i) − N_i r∇p (N): what a pressure does to the fluid between grains that relay r of it.
@@ -238,4 +232,16 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
             }
         });
     }
+}
+
+/// Sums what cells add to the rows of volume of their corners.
+fn sum_volumes<const D: usize, const N: usize>(
+    topology: &Topology<N>,
+    rows: &[Rows<D, N>],
+    volumes: &mut [f64],
+) {
+    for_each(volumes, |node, volume| {
+        let corners = topology.corners(node).iter();
+        *volume = corners.map(|c| rows[c.cell as usize].1[c.local as usize]).sum();
+    });
 }

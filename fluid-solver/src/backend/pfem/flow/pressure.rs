@@ -74,9 +74,11 @@ impl Pressure {
             }
         }
     }
+}
 
+impl Preconditioner for Pressure {
     /// z ← P⁻¹ r.
-    pub fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         match &mut self.solver {
             Some(Solver::Direct(cholesky)) => {
                 z.copy_from_slice(r);

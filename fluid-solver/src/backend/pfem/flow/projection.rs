@@ -10,6 +10,7 @@ use super::solve::{Flow, Start};
 use super::topology::Topology;
 use crate::element::simplex::Vector;
 use interface::usage::ThreadClock;
+use linear::Preconditioner;
 
 /// v_n without (most of) its divergence, and the blow that took it.
 #[derive(Debug, Default)]

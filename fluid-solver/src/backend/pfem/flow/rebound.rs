@@ -5,13 +5,12 @@ use super::constraint::Constraint;
 use super::contact::moved;
 use super::nodal::Assembly;
 use super::preconditioner::Preconditioning;
-use super::pressure::Pressure;
 use super::solve::{Flow, Start};
 use super::suspended::Suspended;
 use super::topology::Topology;
 use crate::element::simplex::{Vector, difference};
 use interface::usage::ThreadClock;
-use linear::{FlexibleGmres, LinearOperator, Preconditioner, Stopping};
+use linear::{FlexibleGmres, LinearOperator, Stopping, vector};
 use std::cell::RefCell;
 
 /// What is left of the divergence, at most; and the most iterations that this may take.
@@ -83,19 +82,17 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             self.assembly.divergence(topology, grains, &change, divergence);
             for_each(divergence, |_, rate| *rate = -*rate);
             self.spent.assembly += clock.lap();
-            let inertia = self.fluid.density / step.length;
             let operator = GivenWay {
                 topology,
                 constraints: &self.contact.constraints,
-                inertia,
+                inertia: self.fluid.density / (self.implicitness * step.length),
                 grains,
                 scratch: RefCell::new((&mut self.assembly, &mut *force, &mut change)),
             };
-            let mut preconditioner =
-                OfWholeStep { pressure: &mut preconditioning.pressure, implicitness: self.implicitness };
             let stopping = Stopping { relative: LEFT, absolute: 0.0, iterations: ITERATIONS };
             // What it leaves goes in the next steps.
-            let _ = krylov.solve(&operator, &mut preconditioner, divergence, pressure, stopping);
+            let _ = krylov.solve(&operator, &mut preconditioning.pressure, divergence, pressure, stopping);
+            vector::scale(self.implicitness, pressure);
             self.assembly.relayed_forces(topology, grains, pressure, force);
             self.spent.solve += clock.lap();
         }
@@ -103,11 +100,11 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     }
 }
 
-/// ψ → D of the velocity that it gives in the free directions, [∫ψ∇(εN_i) − N_i r∇ψ]/(ρ∫εN_i/Δt + d_i).
+/// ψ/θ → D of the velocity that ψ gives in the free directions, [∫ψ∇(εN_i) − N_i r∇ψ]/(ρ∫εN_i/Δt + d_i): as P has it.
 struct GivenWay<'a, const D: usize, const N: usize> {
     topology: &'a Topology<N>,
     constraints: &'a [Constraint<D>],
-    /// ρ/Δt (kg/(m³ s)).
+    /// ρ/(θΔt) (kg/(m³ s)).
     inertia: f64,
     grains: Suspended<'a, D, N>,
     /// What rows, forces and velocities are written to.
@@ -124,25 +121,11 @@ impl<const D: usize, const N: usize> LinearOperator for GivenWay<'_, D, N> {
         let (assembly, forces, velocity) = &mut *scratch.borrow_mut();
         assembly.relayed_forces(topology, *grains, pressure, forces);
         let volumes = &assembly.volumes;
-        let drag = &grains.suspension.drag.resistance;
         for_each(velocity, |node, v| {
-            let mass = inertia * volumes[node] + drag[node];
-            let share = if volumes[node] > 0.0 { 1.0 / mass } else { 0.0 };
+            let resistance = inertia * volumes[node] + grains.resistance(node);
+            let share = if volumes[node] > 0.0 { 1.0 / resistance } else { 0.0 };
             *v = moved(&[0.0; D], share, &constraints[node].free(&forces[node]));
         });
         assembly.divergence(topology, *grains, velocity, divergence);
-    }
-}
-
-/// P is of what acts for θΔt.
-struct OfWholeStep<'a> {
-    pressure: &'a mut Pressure,
-    implicitness: f64,
-}
-
-impl Preconditioner for OfWholeStep<'_> {
-    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
-        self.pressure.apply(r, z);
-        linear::vector::scale(self.implicitness, z);
     }
 }

@@ -74,17 +74,18 @@ pub fn take_in<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, walls: &
         for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
             for opposite in (0..N).filter(|&i| around[i] == OUTSIDE) {
                 if (0..N).all(|i| (i == opposite) != is_in(cell[i])) {
-                    faces.push((cloud.vertices(cell), opposite));
+                    let corners = cloud.vertices(cell);
+                    faces.push((corners, volume_and_gradients(&corners).1, opposite));
                 }
             }
         }
         let on_face = |x: &Vector<D>| {
-            faces.iter().any(|(corners, opposite)| {
-                let size = distance(&corners[0], &corners[1]);
-                let (_, gradients) = volume_and_gradients(corners);
-                let shares = barycentric(&gradients, corners, x);
-                walls[index].touch(x, 0.0).gap.abs() <= ON * size
-                    && (0..N).all(|i| i == *opposite || shares[i] >= -ON)
+            let gap = walls[index].touch(x, 0.0).gap.abs();
+            faces.iter().any(|(corners, gradients, opposite)| {
+                gap <= ON * distance(&corners[0], &corners[1]) && {
+                    let shares = barycentric(gradients, corners, x);
+                    (0..N).all(|i| i == *opposite || shares[i] >= -ON)
+                }
             })
         };
         let others = (0..cloud.place.len()).filter(|&node| !cloud.contacts[node].is_empty());

@@ -41,8 +41,8 @@ pub fn keep_momentum<const D: usize, const N: usize>(
 }
 
 /// Takes a surplus of ∫ ½ |v|² dV, which volume gained in a blow or other cells between the same nodes have brought with them:
-/// the nodes whose volume changed and that touch no wall lose relative velocity, (v − v̄) → s (v − v̄) with s² = 1 − surplus/Σ ½ m |v − v̄|² ≥ 0, and keep their momentum.
-/// Returns what was taken.
+/// the nodes whose volume changed and that touch no wall lose relative velocity, (v − v̄) → s (v − v̄) with
+/// s² = 1 − surplus/Σ ½ m |v − v̄|² ≥ 0, and keep their momentum. Returns what was taken.
 pub fn take_surplus<const D: usize, const N: usize>(
     cloud: &mut Cloud<D, N>,
     mass: &[f64],

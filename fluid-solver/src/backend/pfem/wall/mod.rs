@@ -99,27 +99,26 @@ impl<const D: usize> Wall<D> {
         is_held && dot(&own.normal, &plane.normal) > 1.0 - PARALLEL && own.touch(&plane.point).gap <= near
     }
 
-    /// Whether it is a surface with an end that a node at x, which goes this far (m) in a step, is too far from to meet: where it
-    /// then is behind, it went round the end.
+    /// Whether it is a surface of facets that a node at x, which goes this far (m) in a step, is too far from to cross: where it
+    /// then is behind, it went round an edge.
     pub fn is_out_of_reach(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
-        let Shape::Patch(Patch { is_open: true, .. }) = &self.shape else { return false };
-        self.is_farther_than(x, time, way, length)
-    }
-
-    /// Whether it is a surface whose nearest edge is a concave one that a node at x, which goes this far (m) in a step, is too far
-    /// from to be pushed out through: where it then is behind, it is so behind the corner only.
-    pub fn is_behind_corner(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
-        let Shape::Patch(patch) = &self.shape else { return false };
-        let at_start = match &self.motion {
-            Some(motion) => motion.pose(time).unmoved(&(*x).into()).into(),
-            None => *x,
-        };
-        self.is_farther_than(x, time, way, length) && patch.is_at_concave_edge(&at_start)
-    }
-
-    fn is_farther_than(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
         let touch = self.touch(x, time);
-        touch.gap.abs() > way + length * dot(&touch.velocity, &touch.velocity).sqrt()
+        let reach = way + length * dot(&touch.velocity, &touch.velocity).sqrt();
+        matches!(self.shape, Shape::Patch(_)) && touch.gap.abs() > reach
+    }
+
+    /// Whether it is a surface that ends somewhere.
+    pub fn is_open(&self) -> bool {
+        matches!(self.shape, Shape::Patch(Patch { is_open: true, .. }))
+    }
+
+    /// Whether what of it is nearest to x is an edge where it goes on as another wall.
+    pub fn is_nearest_at_corner(&self, x: &Vector<D>, time: f64) -> bool {
+        let Shape::Patch(patch) = &self.shape else { return false };
+        match &self.motion {
+            Some(motion) => patch.is_nearest_at_corner(&motion.pose(time).unmoved(&(*x).into()).into()),
+            None => patch.is_nearest_at_corner(x),
+        }
     }
 
     /// How far a point is from being stopped at a time (m): infinitely by an inlet.

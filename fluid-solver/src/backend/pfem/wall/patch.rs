@@ -111,7 +111,7 @@ impl<const D: usize> Patch<D> {
     }
 
     /// Whether what is nearest to x is an edge where the surface goes on as another patch.
-    pub(super) fn is_at_concave_edge(&self, x: &Vector<D>) -> bool {
+    pub(super) fn is_nearest_at_corner(&self, x: &Vector<D>) -> bool {
         let place = |k: u32| on_facet(&self.facets[k as usize].vertices, x);
         let squared = |k: u32| distance(x, &place(k)).powi(2);
         let nearest = self.bins.nearest(x, squared);
