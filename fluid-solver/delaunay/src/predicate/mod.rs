@@ -11,7 +11,7 @@ mod unit_box;
 
 pub use exact::{collinear, orientation};
 pub use perturbed::conflict;
-use space::FACE;
+pub use space::FACE;
 pub use sphere::{circumsphere, in_circumsphere};
 
 /// Corners of the face opposite to corner `at`, turned so that the simplex between it and `point` has the sense of the one

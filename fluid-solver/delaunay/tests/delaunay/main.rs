@@ -4,6 +4,7 @@ mod checker;
 mod clouds;
 mod degenerate;
 mod edit;
+mod faces;
 mod invariance;
 mod program;
 mod reuse;
