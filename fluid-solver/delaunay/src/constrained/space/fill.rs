@@ -79,11 +79,11 @@ impl Fill {
         self.found.clear();
         self.best = 0.0;
         (self.tries, self.allowed) = (0, TRIES);
-        let mut front = sides.iter().map(|side| first_smallest(*side)).collect::<Vec<_>>();
+        let front = sides.iter().map(|side| first_smallest(*side)).collect::<Vec<_>>();
         if self.crossed() {
             return false;
         }
-        self.follow(&mut front, f64::INFINITY);
+        self.follow(&front, f64::INFINITY);
         !self.found.is_empty()
     }
 
@@ -94,7 +94,7 @@ impl Fill {
     }
 
     /// Follows what begins with the tetrahedra that are placed, the worst of which has a quality.
-    fn follow(&mut self, front: &mut Vec<Side>, worst: f64) {
+    fn follow(&mut self, front: &[Side], worst: f64) {
         if front.is_empty() {
             let all = (1u64 << self.signs.len()) - 1;
             if self.placed.iter().flatten().fold(0, |set, point| set | 1u64 << point) == all {
@@ -126,11 +126,11 @@ impl Fill {
                 return;
             }
             self.tries += 1;
-            let mut next = front.clone();
+            let mut next = front.to_owned();
             let [a, b, c] = next.swap_remove(at);
             let (faces, edges) = (self.added_faces.len(), self.added_edges.len());
             self.place([a, b, c, apex], &mut next);
-            self.follow(&mut next, worst.min(quality));
+            self.follow(&next, worst.min(quality));
             self.placed.pop();
             self.added_faces.truncate(faces);
             self.added_edges.truncate(edges);
