@@ -2,6 +2,7 @@
 //!
 //! Source: S. W. Sloan, *A fast algorithm for generating constrained Delaunay triangulations*, Comput. Struct. 47 (1993) 441.
 
+use super::find_incident;
 use crate::{HULL, Triangulation};
 use robust::{Coord, incircle, orient2d};
 use std::collections::VecDeque;
@@ -34,13 +35,7 @@ impl Constrained {
         self.triangulation.neighbours.clone_from(&plain.neighbours);
         self.forced.clear();
         self.forced.resize(plain.cells.len(), [false; 3]);
-        self.incident.clear();
-        self.incident.resize(points, HULL);
-        for (c, cell) in plain.cells.iter().enumerate() {
-            for &point in cell {
-                self.incident[point as usize] = c as u32;
-            }
-        }
+        find_incident(&plain.cells, points, &mut self.incident);
         self.made.clear();
     }
 

@@ -5,13 +5,13 @@
 mod exact;
 mod perturbed;
 mod plane;
-mod space;
+pub mod space;
 mod sphere;
 mod unit_box;
 
 pub use exact::{collinear, orientation};
 pub use perturbed::conflict;
-pub use space::FACE;
+use space::FACE;
 pub use sphere::{circumsphere, in_circumsphere};
 
 /// Corners of the face opposite to corner `at`, turned so that the simplex between it and `point` has the sense of the one

@@ -1,7 +1,7 @@
 //! Faces put into triangulations in space.
 
 use crate::clouds::{Random, random};
-use crate::{faultless, volumes};
+use crate::{faultless, program, volumes};
 use delaunay::constrained::Recovery;
 use delaunay::{HULL, Triangulation};
 use std::collections::BTreeMap;
@@ -112,4 +112,12 @@ fn faces_that_cross_a_kept_one_stay_out_and_change_nothing() {
     let before = made.clone();
     assert_eq!(put_in(&points, &mut made, &[[0, 1, 2], [2, 3, 4]]), (1, 1));
     assert_eq!(made, before);
+}
+
+#[test]
+fn faces_put_in_one_after_another_between_points_of_a_lattice_leave_cells_that_fill_the_hull_once() {
+    let mut random = Random(31);
+    let bytes = |_| (0..150 + random.below(300)).map(|_| random.below(256) as u8).collect::<Vec<_>>();
+    let put_in = (0..300).map(bytes).map(|bytes| program::recovered_faces(&bytes)).sum::<usize>();
+    assert!(put_in > 1000, "put in {put_in} faces");
 }

@@ -1,9 +1,10 @@
 //! Programs read from bytes: clouds as degenerate as can be, and edits of them. The cells are those of a mesh made anew
 //! after every edit.
 
-use delaunay::constrained::{Constrained, Obstacle};
-use delaunay::{Delaunay, Error, HULL, check};
+use delaunay::constrained::{Constrained, Obstacle, Recovery};
+use delaunay::{Delaunay, Error, Faults, HULL, Triangulation, check};
 use robust::{Coord, incircle, orient2d};
+use std::collections::BTreeSet;
 
 /// The bytes of a program; none are zeros.
 struct Bytes<'a>(std::slice::Iter<'a, u8>);
@@ -39,6 +40,24 @@ impl Bytes<'_> {
 
     fn point<const D: usize>(&mut self, scale: f64) -> [f64; D] {
         std::array::from_fn(|_| scale * self.coordinate())
+    }
+
+    /// Any three points, or corners on a way from cell to cell, which are near each other.
+    fn face(&mut self, points: usize, made: &Triangulation<4>) -> [u32; 3] {
+        let is_any = self.below(4) == 0;
+        let mut cell = self.below(made.cells.len());
+        std::array::from_fn(|_| {
+            if is_any {
+                return self.below(points) as u32;
+            }
+            let [corner, at] = [0, 1].map(|_| self.below(4));
+            let point = made.cells[cell][corner];
+            let next = made.neighbours[cell][at];
+            if next != HULL {
+                cell = next as usize;
+            }
+            point
+        })
     }
 
     /// From next to nothing to next to infinity.
@@ -164,4 +183,61 @@ pub fn forced_edges(bytes: &[u8]) -> usize {
         }
     }
     forced.len()
+}
+
+/// Puts faces into a triangulation in space, those that came before being kept; returns for how many there was room.
+///
+/// But for the empty spheres, what comes of it is a triangulation of the points as exactly as Delaunay's: cells are positive,
+/// neighbours share faces, and the hull is the one there was. So the cells fill it once.
+pub fn recovered_faces(bytes: &[u8]) -> usize {
+    let mut bytes = Bytes(bytes.iter());
+    let scale = bytes.scale();
+    let count = bytes.below(64);
+    let points: Vec<[f64; 3]> = (0..count).map(|_| bytes.point(scale)).collect();
+    let ranks: Vec<u32> = (0..count as u32).collect();
+    let mut made = Delaunay::<3, 4>::new().triangulate(&points, &ranks).unwrap().clone();
+    if made.cells.is_empty() {
+        return 0;
+    }
+    let mut recovery = Recovery::default();
+    let (mut kept, mut put_in) = (BTreeSet::new(), 0);
+    while !bytes.is_empty() {
+        let [before, hull] = faces(&made);
+        let is_new = |face: &[u32; 3]| face[0] < face[1] && face[1] < face[2] && !before.contains(face);
+        let wanted: BTreeSet<_> = (0..=bytes.below(6)).map(|_| rising(bytes.face(count, &made))).collect();
+        let missing: Vec<_> = wanted.into_iter().filter(is_new).collect();
+        let last = made.clone();
+        let stays = |face| kept.contains(&rising(face)) || missing.contains(&rising(face));
+        let lots = recovery.recover(&points, &mut made, &missing, stays).unwrap();
+        let faults = check(&points, &ranks, &made).unwrap();
+        assert!(Faults { delaunay: 0, ..faults }.none(), "{faults:?}: {points:?} {missing:?}");
+        let [after, hull_after] = faces(&made);
+        assert!(hull_after == hull && kept.is_subset(&after), "{points:?} {missing:?}");
+        let come = missing.iter().filter(|face| after.contains(*face));
+        assert_eq!(lots == 0, come.clone().count() == 0);
+        assert!(lots > 0 || made == last, "what cannot be put in changes nothing");
+        put_in += come.clone().count();
+        kept.extend(come);
+    }
+    put_in
+}
+
+/// All faces, and those of the hull.
+fn faces(made: &Triangulation<4>) -> [BTreeSet<[u32; 3]>; 2] {
+    let [mut all, mut hull] = [BTreeSet::new(), BTreeSet::new()];
+    for ([a, b, c, d], around) in made.cells.iter().zip(&made.neighbours) {
+        for (face, next) in [[b, c, d], [a, c, d], [a, b, d], [a, b, c]].into_iter().zip(around) {
+            let face = rising(face.map(|corner| *corner));
+            all.insert(face);
+            if *next == HULL {
+                hull.insert(face);
+            }
+        }
+    }
+    [all, hull]
+}
+
+fn rising(mut face: [u32; 3]) -> [u32; 3] {
+    face.sort_unstable();
+    face
 }

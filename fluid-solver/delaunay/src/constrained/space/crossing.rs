@@ -1,6 +1,8 @@
 //! Which tetrahedra a face passes through.
 
-use crate::predicate::orientation;
+use super::edges_of;
+use super::signs::{pierces, sign};
+use crate::predicate::space::FACE;
 use crate::{HULL, Triangulation};
 use robust::{Coord, orient2d};
 
@@ -17,23 +19,18 @@ pub struct Scene<'a> {
     pub incident: &'a [u32],
 }
 
-/// Edges of a face.
-const SIDES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
 /// Edges of a cell.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-/// Faces of a cell.
-const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
 
 impl Scene<'_> {
     /// Writes the cells that a face passes through; none if they are too many or a corner has no cells.
     pub fn crossed(&self, face: [u32; 3], cells: &mut Vec<u32>) {
         cells.clear();
+        if face.iter().any(|corner| self.incident[*corner as usize] == HULL) {
+            return;
+        }
         let mut around = vec![];
         for corner in face {
-            if self.incident[corner as usize] == HULL {
-                cells.clear();
-                return;
-            }
             self.star(corner, &mut around);
             for &cell in &around {
                 if !cells.contains(&cell) && self.meets(cell, face) {
@@ -79,14 +76,14 @@ impl Scene<'_> {
         let [a, b, c] = face;
         let above = corners.map(|p| if face.contains(&p) { 0 } else { self.sign([a, b, c, p]) });
         let edges = EDGES.map(|edge| edge.map(|k| corners[k]));
-        let sides = SIDES.map(|side| side.map(|k| face[k]));
+        let sides = edges_of(face);
         let parted = |[i, j]: &[usize; 2]| above[*i] * above[*j] < 0;
         let level = |[i, j]: &[usize; 2]| above[*i] == 0 && above[*j] == 0;
         if EDGES.iter().any(&parted) {
             let pierced = EDGES.iter().zip(edges).any(|(at, edge)| parted(at) && self.pierces(edge, face));
             return pierced
                 || sides.iter().any(|side| {
-                    FACES.iter().any(|at| self.pierces(*side, at.map(|k| corners[k])))
+                    FACE.iter().any(|at| self.pierces(*side, at.map(|k| corners[k])))
                         || edges.iter().any(|edge| self.cross(*side, *edge))
                 });
         }
@@ -95,17 +92,11 @@ impl Scene<'_> {
     }
 
     fn sign(&self, points: [u32; 4]) -> i8 {
-        let volume = orientation::<3, 4>(points.map(|point| &self.points[point as usize]));
-        i8::from(volume > 0.0) - i8::from(volume < 0.0)
+        sign(points.map(|point| &self.points[point as usize]))
     }
 
-    /// Whether an edge passes through the inside of a face.
-    fn pierces(&self, [d, e]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
-        let shared = [a, b, c].iter().any(|corner| [d, e].contains(corner));
-        !shared && self.sign([a, b, c, d]) * self.sign([a, b, c, e]) < 0 && {
-            let turn = self.sign([d, e, a, b]);
-            turn != 0 && self.sign([d, e, b, c]) == turn && self.sign([d, e, c, a]) == turn
-        }
+    fn pierces(&self, edge: [u32; 2], face: [u32; 3]) -> bool {
+        pierces(edge, face, |four| self.sign(four))
     }
 
     /// Whether two edges lie in a plane and cross there: they do so seen along some axis.

@@ -5,7 +5,8 @@
 //! found so far is not followed.
 
 use super::signs::Signs;
-use crate::predicate::FACE;
+use super::{edges_of, sorted};
+use crate::predicate::space::{FACE, cross, from};
 
 /// A face with the side on which it needs a tetrahedron: with a point there it makes a positive one. The smallest comes first.
 type Side = [u8; 3];
@@ -24,7 +25,9 @@ pub struct Fill {
     pub found: Vec<[u8; 4]>,
     faces: Vec<Side>,
     edges: Vec<[u8; 2]>,
-    candidates: Vec<Candidates>,
+    /// Tetrahedra that a side could have if there were only the given faces, the best first.
+    candidates: Vec<Vec<Candidate>>,
+    /// Where those of each side are, [`u16::MAX`] if they were not looked for.
     index: Vec<u16>,
     placed: Vec<[u8; 4]>,
     added_faces: Vec<Side>,
@@ -32,13 +35,6 @@ pub struct Fill {
     best: f64,
     tries: usize,
     allowed: usize,
-}
-
-/// Tetrahedra that a side could have if there were only the given faces, the best first.
-#[derive(Clone, Debug)]
-struct Candidates {
-    side: Side,
-    apexes: Vec<Candidate>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -50,29 +46,22 @@ struct Candidate {
 impl Fill {
     /// Finds tetrahedra that have each of the given sides once and no others that are not matched by the other side of the same
     /// face. As they are positive, they fill what the sides enclose once: where the sides are the boundary of a chain of
-    /// tetrahedra, that is its winding number. The worst tetrahedron is as good as some
-    /// more tries could make it.
+    /// tetrahedra, that is its winding number. The worst tetrahedron is as good as some more tries could make it.
     ///
     /// Whether there are any; each point is a corner then.
     pub fn search(&mut self, sides: &[Side]) -> bool {
         let points = self.signs.len();
         self.faces.clear();
+        self.faces.extend(sides.iter().map(|side| sorted(*side)));
+        self.faces.sort_unstable();
+        self.faces.dedup();
         self.edges.clear();
-        for side in sides {
-            let face = sorted(*side);
-            if !self.faces.contains(&face) {
-                self.faces.push(face);
-            }
-            for edge in edges_of(face) {
-                if !self.edges.contains(&edge) {
-                    self.edges.push(edge);
-                }
-            }
-        }
+        self.edges.extend(self.faces.iter().flat_map(|face| edges_of(*face)));
+        self.edges.sort_unstable();
+        self.edges.dedup();
         self.candidates.clear();
         self.index.clear();
         self.index.resize(points * points * points, u16::MAX);
-        self.faces.sort_unstable();
         self.added_faces.clear();
         self.added_edges.clear();
         self.placed.clear();
@@ -96,8 +85,8 @@ impl Fill {
     /// Follows what begins with the tetrahedra that are placed, the worst of which has a quality.
     fn follow(&mut self, front: &[Side], worst: f64) {
         if front.is_empty() {
-            let all = (1u64 << self.signs.len()) - 1;
-            if self.placed.iter().flatten().fold(0, |set, point| set | 1u64 << point) == all {
+            let corners = self.placed.iter().flatten().fold(0u32, |set, point| set | 1 << point);
+            if corners.count_ones() as usize == self.signs.len() {
                 if self.found.is_empty() {
                     self.allowed = self.tries + TRIES_FOR_BETTER;
                 }
@@ -106,22 +95,21 @@ impl Fill {
             }
             return;
         }
-        let mut fewest: Option<(usize, Vec<Candidate>)> = None;
-        for (at, side) in front.iter().enumerate() {
-            let apexes = self.candidates_now(*side, front);
-            if apexes.is_empty() {
+        let (mut at, mut fewest, mut free) = (0, vec![], vec![]);
+        for (index, side) in front.iter().enumerate() {
+            self.find_free(*side, front, &mut free);
+            if free.is_empty() {
                 return;
             }
-            if fewest.as_ref().is_none_or(|(_, least)| apexes.len() < least.len()) {
-                let single = apexes.len() == 1;
-                fewest = Some((at, apexes));
-                if single {
+            if index == 0 || free.len() < fewest.len() {
+                at = index;
+                std::mem::swap(&mut fewest, &mut free);
+                if fewest.len() == 1 {
                     break;
                 }
             }
         }
-        let Some((at, apexes)) = fewest else { return };
-        for Candidate { apex, quality } in apexes {
+        for Candidate { apex, quality } in fewest {
             if quality <= self.best || self.tries == self.allowed {
                 return;
             }
@@ -153,22 +141,20 @@ impl Fill {
                 self.added_faces.push(face);
             }
             let edge = sorted([cell[at], cell[3]]);
-            if !self.edges.contains(&edge) && !self.added_edges.contains(&edge) {
+            if self.edges.binary_search(&edge).is_err() && !self.added_edges.contains(&edge) {
                 self.added_edges.push(edge);
             }
         }
     }
 
-    /// The tetrahedra that a side can have beside those that are placed.
-    fn candidates_now(&mut self, side: Side, front: &[Side]) -> Vec<Candidate> {
+    /// Writes the tetrahedra that a side can have beside those that are placed.
+    fn find_free(&mut self, side: Side, front: &[Side], free: &mut Vec<Candidate>) {
         let index = self.candidates_of(side);
-        let apexes = std::mem::take(&mut self.candidates[index].apexes);
-        let free = apexes
-            .iter()
-            .filter(|candidate| candidate.quality > self.best && self.is_free(side, candidate.apex, front));
-        let free = free.copied().collect();
-        self.candidates[index].apexes = apexes;
-        free
+        let all = std::mem::take(&mut self.candidates[index]);
+        let is_free = |one: &&Candidate| one.quality > self.best && self.is_free(side, one.apex, front);
+        free.clear();
+        free.extend(all.iter().filter(is_free));
+        self.candidates[index] = all;
     }
 
     /// Whether the other faces and edges of a tetrahedron cross none that were placed, and none of the faces has one on this side.
@@ -201,11 +187,10 @@ impl Fill {
         if self.index[slot] == u16::MAX {
             self.index[slot] = self.candidates.len() as u16;
             let found = (0..points as u8).filter_map(|apex| self.candidate(side, apex));
-            let mut apexes = found.collect::<Vec<_>>();
-            apexes.sort_by(|a, b| b.quality.total_cmp(&a.quality));
-            self.candidates.push(Candidates { side, apexes });
+            let mut found = found.collect::<Vec<_>>();
+            found.sort_by(|a, b| b.quality.total_cmp(&a.quality));
+            self.candidates.push(found);
         }
-        debug_assert_eq!(self.candidates[usize::from(self.index[slot])].side, side);
         usize::from(self.index[slot])
     }
 
@@ -218,7 +203,7 @@ impl Fill {
         }
         for at in 0..3 {
             let edge = sorted([cell[at], apex]);
-            if !edges.contains(&edge) && faces.iter().any(|face| signs.pierces(edge, *face)) {
+            if edges.binary_search(&edge).is_err() && faces.iter().any(|face| signs.pierces(edge, *face)) {
                 return None;
             }
             let face = sorted(FACE[at].map(|k| cell[k]));
@@ -232,25 +217,13 @@ impl Fill {
 
 /// Six volumes of a tetrahedron over the cube of the root of its mean squared edge.
 fn quality([a, b, c, d]: [&[f64; 3]; 4]) -> f64 {
-    let from = |p: &[f64; 3], q: &[f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
     let (x, y, z) = (from(b, a), from(c, a), from(d, a));
-    let volume = x[0] * (y[1] * z[2] - y[2] * z[1])
-        + x[1] * (y[2] * z[0] - y[0] * z[2])
-        + x[2] * (y[0] * z[1] - y[1] * z[0]);
+    let area = cross(y, z);
+    let volume = x[0] * area[0] + x[1] * area[1] + x[2] * area[2];
     let edges = [x, y, z, from(c, b), from(d, b), from(d, c)];
     let square = edges.iter().flatten().map(|x| x * x).sum::<f64>() / 6.0;
     // Positive even where rounding takes all of it.
     volume.max(f64::MIN_POSITIVE) / (square * square.sqrt())
-}
-
-fn sorted<const N: usize>(mut points: [u8; N]) -> [u8; N] {
-    points.sort_unstable();
-    points
-}
-
-/// Edges of a face whose corners rise.
-fn edges_of([a, b, c]: Side) -> [[u8; 2]; 3] {
-    [[a, b], [a, c], [b, c]]
 }
 
 fn first_smallest([a, b, c]: Side) -> Side {

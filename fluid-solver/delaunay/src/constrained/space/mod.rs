@@ -4,7 +4,8 @@ mod crossing;
 mod fill;
 mod signs;
 
-use crate::predicate::FACE;
+use super::find_incident;
+use crate::predicate::space::FACE;
 use crate::{Error, HULL, Triangulation, points};
 use crossing::Scene;
 use fill::Fill;
@@ -12,16 +13,13 @@ use signs::Signs;
 
 /// Puts faces into a triangulation where its cells can give way: those that a face passes through, and if that is not enough
 /// those around them, are replaced by others between the same points. Not all faces can be there: some sets of faces, such
-/// as the sides of Schönhardt's polyhedron, have no tetrahedra behind them without points of their own. All but what it did
-/// is scratch.
+/// as the sides of Schönhardt's polyhedron, have no tetrahedra behind them without points of their own. All of it is scratch.
 #[derive(Clone, Debug, Default)]
 pub struct Recovery {
     scaled: Vec<[f64; 3]>,
     incident: Vec<u32>,
     /// The cells that each face passes through.
     crossed: Vec<Vec<u32>>,
-    /// The lot that each face belongs to.
-    lot: Vec<usize>,
     /// Cells that were replaced, or are new.
     changed: Vec<bool>,
     /// Cells that are none any more.
@@ -44,8 +42,8 @@ struct Cavity {
 }
 
 impl Recovery {
-    /// Puts in those of the faces `missing` that can be, whichever way round. Faces of `made` of which `kept` is true stay;
-    /// so does the hull. Cells are positive as before, but no more Delaunay, nor in order.
+    /// Puts in those of the faces `missing` that can be, whichever way round; each has three different corners. Faces of `made`
+    /// of which `kept` is true stay; so does the hull. Cells are positive as before, but no more Delaunay, nor in order.
     ///
     /// Returns how many lots of faces were put in: those that pass through the same cells come together or one by one.
     ///
@@ -62,7 +60,7 @@ impl Recovery {
             return Ok(0);
         }
         points::scale(points, &mut self.scaled)?;
-        self.find_incident(made, points.len());
+        find_incident(&made.cells, points.len(), &mut self.incident);
         self.changed.clear();
         self.changed.resize(made.cells.len(), false);
         self.dead.clear();
@@ -70,13 +68,8 @@ impl Recovery {
         for (face, cells) in missing.iter().zip(&mut self.crossed) {
             Scene { points: &self.scaled, made, incident: &self.incident }.crossed(*face, cells);
         }
-        self.sort_into_lots(missing.len(), made.cells.len());
         let mut done = 0;
-        for first in 0..missing.len() {
-            if self.lot[first] != first || self.crossed[first].is_empty() {
-                continue;
-            }
-            let lot = (first..missing.len()).filter(|face| self.lot[*face] == first).collect::<Vec<_>>();
+        for lot in self.lots() {
             if self.put_in(made, missing, &lot, &kept) {
                 done += 1;
             } else if lot.len() > 1 {
@@ -87,31 +80,23 @@ impl Recovery {
         Ok(done)
     }
 
-    fn find_incident(&mut self, made: &Triangulation<4>, points: usize) {
-        self.incident.clear();
-        self.incident.resize(points, HULL);
-        for (index, cell) in made.cells.iter().enumerate() {
-            cell.iter().for_each(|corner| self.incident[*corner as usize] = index as u32);
+    /// Faces that pass through the same cells are of one lot; those that pass through none are of none.
+    fn lots(&self) -> Vec<Vec<usize>> {
+        let crossed = self.crossed.iter().enumerate();
+        let mut met: Vec<_> =
+            crossed.flat_map(|(face, cells)| cells.iter().map(move |cell| (*cell, face))).collect();
+        met.sort_unstable();
+        let mut joined: Vec<usize> = (0..self.crossed.len()).collect();
+        for pair in met.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            let (a, b) = (first(&joined, pair[0].1), first(&joined, pair[1].1));
+            joined[a.max(b)] = a.min(b);
         }
-    }
-
-    /// Faces that pass through the same cells are of one lot, that of the first of them.
-    fn sort_into_lots(&mut self, faces: usize, cells: usize) {
-        self.lot.clear();
-        self.lot.extend(0..faces);
-        let mut first = vec![usize::MAX; cells];
-        for face in 0..faces {
-            for &cell in &self.crossed[face] {
-                let other = std::mem::replace(&mut first[cell as usize], face);
-                if other != usize::MAX {
-                    let (a, b) = (root(&self.lot, other), root(&self.lot, face));
-                    self.lot[a.max(b)] = a.min(b);
-                }
-            }
+        let mut lots = vec![vec![]; joined.len()];
+        for face in (0..joined.len()).filter(|face| !self.crossed[*face].is_empty()) {
+            lots[first(&joined, face)].push(face);
         }
-        for face in 0..faces {
-            self.lot[face] = root(&self.lot, face);
-        }
+        lots.retain(|lot| !lot.is_empty());
+        lots
     }
 
     /// Puts a lot of faces in; whether that was possible.
@@ -141,53 +126,50 @@ impl Recovery {
             }
             let Self { cavity, scaled, fill, .. } = self;
             fill.signs.read(cavity.corners.iter().map(|corner| scaled[*corner as usize]));
-            if fill.search(&cavity.sides) && self.replace(made) {
+            if fill.search(&cavity.sides) {
+                self.replace(made);
                 return true;
             }
         }
         false
     }
 
-    /// Replaces the cells of the cavity by those found; whether their faces match.
-    fn replace(&mut self, made: &mut Triangulation<4>) -> bool {
+    /// Replaces the cells of the cavity by those found.
+    fn replace(&mut self, made: &mut Triangulation<4>) {
         let Self { cavity, fill, changed, dead, incident, .. } = self;
-        let mut faces = std::mem::take(&mut cavity.rim);
-        let slot = |index: usize| match cavity.cells.get(index) {
+        let Cavity { cells, corners, rim: faces, .. } = cavity;
+        let count = made.cells.len();
+        let slot = |index: usize| match cells.get(index) {
             Some(cell) => *cell,
-            None => (made.cells.len() + index - cavity.cells.len()) as u32,
+            None => (count + index - cells.len()) as u32,
         };
         for (index, cell) in fill.found.iter().enumerate() {
-            for at in 0..4 {
-                let mut face = FACE[at].map(|k| cell[k]);
-                face.sort_unstable();
-                faces.push((face, slot(index), at as u8));
-            }
+            faces.extend((0..4).map(|at| (sorted(FACE[at].map(|k| cell[k])), slot(index), at as u8)));
         }
         faces.sort_unstable();
-        let matched = faces.chunk_by(|a, b| a.0 == b.0).all(|same| same.len() == 2);
-        if matched {
-            let slots = (0..fill.found.len()).map(slot).collect::<Vec<_>>();
-            dead.extend(cavity.cells.iter().skip(slots.len()));
-            let cells = made.cells.len().max(slots.iter().max().map_or(0, |last| *last as usize + 1));
-            made.cells.resize(cells, [HULL; 4]);
-            made.neighbours.resize(cells, [HULL; 4]);
-            changed.resize(cells, true);
-            cavity.cells.iter().for_each(|cell| changed[*cell as usize] = true);
-            for (local, cell) in fill.found.iter().zip(slots) {
-                made.cells[cell as usize] = local.map(|point| cavity.corners[usize::from(point)]);
-                made.cells[cell as usize].iter().for_each(|corner| incident[*corner as usize] = cell);
-            }
-            for pair in faces.chunks_exact(2) {
-                let [(_, one, at), (_, other, opposite)] = [pair[0], pair[1]];
-                for (cell, at, next) in [(one, at, other), (other, opposite, one)] {
-                    if cell != HULL {
-                        made.neighbours[cell as usize][usize::from(at)] = next;
-                    }
+        debug_assert!(
+            faces.chunk_by(|a, b| a.0 == b.0).all(|same| same.len() == 2),
+            "each face is that of two"
+        );
+        dead.extend(cells.iter().skip(fill.found.len()));
+        let count = count + fill.found.len().saturating_sub(cells.len());
+        made.cells.resize(count, [HULL; 4]);
+        made.neighbours.resize(count, [HULL; 4]);
+        changed.resize(count, true);
+        cells.iter().for_each(|cell| changed[*cell as usize] = true);
+        for (index, local) in fill.found.iter().enumerate() {
+            let (cell, corners) = (slot(index), local.map(|point| corners[usize::from(point)]));
+            made.cells[cell as usize] = corners;
+            corners.iter().for_each(|corner| incident[*corner as usize] = cell);
+        }
+        for pair in faces.chunks_exact(2) {
+            let [(_, one, at), (_, other, opposite)] = [pair[0], pair[1]];
+            for (cell, at, next) in [(one, at, other), (other, opposite, one)] {
+                if cell != HULL {
+                    made.neighbours[cell as usize][usize::from(at)] = next;
                 }
             }
         }
-        cavity.rim = faces;
-        matched
     }
 
     /// Takes the cells out that are none any more: the last ones take their places.
@@ -251,11 +233,9 @@ impl Cavity {
                 let [Some(a), Some(b), Some(c)] = face.map(local) else { return false };
                 sides.push([a, b, c]);
                 if !inner {
-                    let mut known = [a, b, c];
-                    known.sort_unstable();
                     let back = |next: u32| made.neighbours[next as usize].iter().position(|n| *n == cell);
                     let back = if next == HULL { 0 } else { back(next).expect("neighbours know each other") };
-                    rim.push((known, next, back as u8));
+                    rim.push((sorted([a, b, c]), next, back as u8));
                 }
             }
         }
@@ -263,10 +243,20 @@ impl Cavity {
     }
 }
 
-/// The first face of a lot.
-fn root(lot: &[usize], mut face: usize) -> usize {
-    while lot[face] != face {
-        face = lot[face];
+/// The first of the faces that are joined to a face.
+fn first(joined: &[usize], mut face: usize) -> usize {
+    while joined[face] != face {
+        face = joined[face];
     }
     face
+}
+
+/// Edges of a face: they rise if its corners do.
+fn edges_of<P: Copy>([a, b, c]: [P; 3]) -> [[P; 2]; 3] {
+    [[a, b], [a, c], [b, c]]
+}
+
+fn sorted<const N: usize>(mut points: [u8; N]) -> [u8; N] {
+    points.sort_unstable();
+    points
 }

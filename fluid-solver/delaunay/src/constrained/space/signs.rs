@@ -14,8 +14,8 @@ pub struct Signs {
 const UNKNOWN: i8 = i8::MIN;
 
 impl Signs {
-    /// As many points as the bits of a set of them.
-    pub const MOST: usize = 32;
+    /// As many points as a set of them has bits.
+    pub const MOST: usize = u32::BITS as usize;
 
     /// Of these points.
     pub fn read(&mut self, points: impl Iterator<Item = [f64; 3]>) {
@@ -35,7 +35,7 @@ impl Signs {
         &self.points[usize::from(point)]
     }
 
-    /// 1 if four points make a positive tetrahedron, −1 if it is turned over, 0 if they lie in a plane.
+    /// The [`sign`] of four different points.
     pub fn of(&mut self, mut points: [u8; 4]) -> i8 {
         let mut turn = 1;
         for (low, high) in [(0, 1), (2, 3), (0, 2), (1, 3), (1, 2)] {
@@ -46,19 +46,33 @@ impl Signs {
         }
         let index: usize = (0..4).map(|k| choose(usize::from(points[k]), k + 1)).sum();
         if self.known[index] == UNKNOWN {
-            let volume = orientation::<3, 4>(points.map(|point| &self.points[usize::from(point)]));
-            self.known[index] = i8::from(volume > 0.0) - i8::from(volume < 0.0);
+            self.known[index] = sign(points.map(|point| self.place(point)));
         }
         turn * self.known[index]
     }
 
     /// Whether an edge passes through the inside of a face from one side to the other.
-    pub fn pierces(&mut self, [d, e]: [u8; 2], [a, b, c]: [u8; 3]) -> bool {
-        let shared = [a, b, c].iter().any(|corner| [d, e].contains(corner));
-        !shared && self.of([a, b, c, d]) * self.of([a, b, c, e]) < 0 && {
-            let turn = self.of([d, e, a, b]);
-            turn != 0 && self.of([d, e, b, c]) == turn && self.of([d, e, c, a]) == turn
-        }
+    pub fn pierces(&mut self, edge: [u8; 2], face: [u8; 3]) -> bool {
+        pierces(edge, face, |four| self.of(four))
+    }
+}
+
+/// 1 if four points make a positive tetrahedron, −1 if it is turned over, 0 if they lie in a plane.
+pub fn sign(corners: [&[f64; 3]; 4]) -> i8 {
+    let volume = orientation::<3, 4>(corners);
+    i8::from(volume > 0.0) - i8::from(volume < 0.0)
+}
+
+/// Whether an edge passes through the inside of a face from one side to the other, by the signs of four points.
+pub fn pierces<P: Copy + PartialEq>(
+    [d, e]: [P; 2],
+    [a, b, c]: [P; 3],
+    mut sign: impl FnMut([P; 4]) -> i8,
+) -> bool {
+    let shared = [a, b, c].iter().any(|corner| [d, e].contains(corner));
+    !shared && sign([a, b, c, d]) * sign([a, b, c, e]) < 0 && {
+        let turn = sign([d, e, a, b]);
+        turn != 0 && sign([d, e, b, c]) == turn && sign([d, e, c, a]) == turn
     }
 }
 

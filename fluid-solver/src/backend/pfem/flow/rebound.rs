@@ -76,6 +76,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let end = self.contact.at_end(cloud, walls, step, node, middle, &self.unheld(node, middle));
             difference(&end, middle)
         }));
+        let inertia = self.inertia(step);
         let Rebound { force, pressure, krylov, divergence, .. } = &mut self.rebound;
         divergence.resize(nodes, 0.0);
         if let Some(grains) = start.suspended(&self.porous, self.implicitness) {
@@ -85,7 +86,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             let operator = GivenWay {
                 topology,
                 constraints: &self.contact.constraints,
-                inertia: self.fluid.density / (self.implicitness * step.length),
+                inertia,
                 grains,
                 scratch: RefCell::new((&mut self.assembly, &mut *force, &mut change)),
             };

@@ -102,9 +102,10 @@ impl<const D: usize> Wall<D> {
     /// Whether it is a surface of facets that a node at x, which goes this far (m) in a step, is too far from to cross: where it
     /// then is behind, it went round an edge.
     pub fn is_out_of_reach(&self, x: &Vector<D>, time: f64, way: f64, length: f64) -> bool {
-        let touch = self.touch(x, time);
-        let reach = way + length * dot(&touch.velocity, &touch.velocity).sqrt();
-        matches!(self.shape, Shape::Patch(_)) && touch.gap.abs() > reach
+        matches!(self.shape, Shape::Patch(_)) && {
+            let touch = self.touch(x, time);
+            touch.gap.abs() > way + length * dot(&touch.velocity, &touch.velocity).sqrt()
+        }
     }
 
     /// Whether it is a surface that ends somewhere.
