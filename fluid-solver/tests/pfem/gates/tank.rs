@@ -110,3 +110,43 @@ plane = { point = ["0.15 m", "0 m"], normal = [-1, 0] }"#;
     let volume = 0.048 * (0.012 + 1.5 * 0.6);
     assert!((value(&*fountain, "volume[m^3]") / volume - 1.0).abs() < 5e-3);
 }
+
+#[test]
+fn a_fountain_in_space_comes_from_the_whole_nozzle_when_its_water_runs_back_to_it() {
+    let sides =
+        [("left", 0, 1), ("right", 0, -1), ("front", 1, 1), ("back", 1, -1)].map(|(name, axis, sign)| {
+            let along = |length: f64| if axis == 0 { [length, 0.0, 0.0] } else { [0.0, length, 0.0] };
+            let (point, normal) =
+                (along(-0.1 * f64::from(sign)).map(|x| format!("{x} m")), along(f64::from(sign)));
+            format!("[[wall]]\nname = {name:?}\nplane = {{ point = {point:?}, normal = {normal:?} }}\n")
+        });
+    let tables = r#"pfem.size = "20 mm"
+[[fluid.inlet]]
+name = "nozzle"
+disc = { centre = ["0 m", "0 m", "0 m"], radius = "35 mm" }
+normal = [0, 0, 1]
+speed = "1 m/s"
+[[fluid.boundary]]
+on = ["left", "right", "front", "back", "floor"]
+kind = "slip"
+[[wall]]
+name = "floor"
+plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 1] }
+"#;
+    let mut fountain = fluid("fountain-space", 3, &format!("{tables}{}", sides.concat()));
+    let mut start = 0.0;
+    for end in [0.3, 0.35, 0.4, 0.45, 0.5] {
+        advance(&mut *fountain, 3e-3, [start, end]);
+        start = end;
+        let speed = |x: f64, y: f64| fountain.at(0.0, [x, y, 0.0]).unwrap().velocity[2];
+        for ray in 0..12 {
+            let (y, x) = (f64::from(ray) * std::f64::consts::TAU / 12.0).sin_cos();
+            let share = |r: f64| speed(r * x, r * y) / speed(0.0, 0.0);
+            for r in [10e-3, 20e-3] {
+                assert!((share(r) - 1.0).abs() < 1e-9, "{end} s, {r} m, ray {ray}: {}", share(r));
+            }
+            // A film that ends at the rim has cells that reach over it.
+            assert!(share(28e-3) > 0.5, "{end} s, ray {ray}: {}", share(28e-3));
+        }
+    }
+}

@@ -95,12 +95,11 @@ pub fn open<const D: usize, const N: usize>(
         let faces = || mesh.boundary().iter().filter(|face| face.group == group);
         let area = faces().map(|face| mesh.area_vector(face)).map(|area| dot(&area, &area).sqrt()).sum();
         let velocity = stated(boundary.velocity.as_ref(), boundary.speed, plane.normal);
-        openings.push(Opening {
-            wall: walls.len(),
-            nodes: faces().flat_map(|face| face.points.map(|point| mesh.node_of(point))).collect(),
-            layer: 0..0,
-        });
-        walls.push(Wall::inlet(name, plane, Inflow::new(plane.normal, area, velocity)));
+        let nodes: Vec<u32> = faces().flat_map(|face| face.points.map(|point| mesh.node_of(point))).collect();
+        let corners = faces().map(|face| face.points.map(|point| mesh.nodes()[mesh.node_of(point) as usize]));
+        let inflow = Inflow::new::<N>(plane.normal, area, corners, velocity);
+        openings.push(Opening { wall: walls.len(), nodes, layer: 0..0 });
+        walls.push(Wall::inlet(name, plane, inflow));
     }
     for (index, inlet) in fluid.inlet.iter().enumerate() {
         let key = format!("fluid.inlet[{index}]");
@@ -113,8 +112,10 @@ pub fn open<const D: usize, const N: usize>(
         let velocity = stated(inlet.velocity.as_ref(), inlet.speed, unit_vector(&inlet.normal));
         let first = body.place.len();
         let nodes = nodes_in(case, &key, &shape, walls, size, body)?;
+        let corners = faces_within(body, &nodes)
+            .map(|(cell, opposite)| std::array::from_fn(|i| body.vertices(cell)[(opposite + 1 + i) % N]));
+        let inflow = Inflow::new::<N>(shape.plane.normal, shape.area(), corners, velocity);
         openings.push(Opening { wall: walls.len(), nodes, layer: first..body.place.len() });
-        let inflow = Inflow::new(shape.plane.normal, shape.area(), velocity);
         walls.push(Wall::inlet(&inlet.name, shape.plane, inflow));
     }
     if walls.len() > Contacts::MOST {
@@ -170,17 +171,23 @@ fn nodes_in<const D: usize, const N: usize>(
     Ok(in_it(body, first))
 }
 
+/// Faces of a body that have all of their nodes among these, each the one opposite to a corner of a cell.
+fn faces_within<'a, const D: usize, const N: usize>(
+    body: &'a Body<D, N>,
+    nodes: &'a [u32],
+) -> impl Iterator<Item = (&'a [u32; N], usize)> {
+    let faces = body.cells.iter().zip(&body.neighbours).flat_map(|(cell, around)| {
+        (0..N).filter(|&opposite| around[opposite] == OUTSIDE).map(move |opposite| (cell, opposite))
+    });
+    faces.filter(|(cell, opposite)| (0..N).all(|i| i == *opposite || nodes.contains(&cell[i])))
+}
+
 /// Area of the faces of a body that have all of their nodes among these, along a normal (m²).
 fn area_within<const D: usize, const N: usize>(body: &Body<D, N>, nodes: &[u32], normal: &Vector<D>) -> f64 {
-    let mut area = 0.0;
-    for (cell, around) in body.cells.iter().zip(&body.neighbours) {
-        for opposite in (0..N).filter(|&i| around[i] == OUTSIDE) {
-            if (0..N).all(|i| i == opposite || nodes.contains(&cell[i])) {
-                area += D as f64 * dot(&volume_and_areas(&body.vertices(cell)).1[opposite], normal);
-            }
-        }
-    }
-    area
+    let across = |(cell, opposite): (&[u32; N], usize)| {
+        D as f64 * dot(&volume_and_areas(&body.vertices(cell)).1[opposite], normal)
+    };
+    faces_within(body, nodes).map(across).sum()
 }
 
 /// The outlets.

@@ -3,7 +3,7 @@
 use crate::backend::Step;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::{Contacts, Inflow, Wall, inlet_of, inlet_velocity};
-use crate::element::simplex::{Vector, barycentric, distance, dot, volume_and_areas, volume_and_gradients};
+use crate::element::simplex::{Vector, dot, volume_and_areas};
 
 /// Of an inlet, at a time.
 #[derive(Clone, Copy, Debug, Default)]
@@ -62,38 +62,17 @@ pub fn put_back<const D: usize, const N: usize>(
     }
 }
 
-/// A node is in a face that it is nearer to than this share of the size of its cell.
-const ON: f64 = 1e-9;
-
-/// Nodes that run along a wall onto the faces of an inlet in it are in the inlet from then on: those of its edge would be
-/// left without faces.
+/// Nodes that run along a wall into an inlet in it are in the inlet from then on: what comes in takes them along.
 pub fn take_in<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, walls: &[Wall<D>]) {
-    for index in (0..walls.len()).filter(|&index| walls[index].inflow.is_some()) {
-        let is_in = |node: u32| cloud.contacts[node as usize].contains(index);
-        let mut faces = Vec::new();
-        for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
-            for opposite in (0..N).filter(|&i| around[i] == OUTSIDE) {
-                if (0..N).all(|i| (i == opposite) != is_in(cell[i])) {
-                    let corners = cloud.vertices(cell);
-                    faces.push((corners, volume_and_gradients(&corners).1, opposite));
-                }
+    for (index, wall) in walls.iter().enumerate() {
+        let Some(inflow) = &wall.inflow else { continue };
+        for (node, x) in cloud.place.iter().enumerate().filter(|(node, _)| cloud.drop[*node] == 0.0) {
+            let contacts = &mut cloud.contacts[node];
+            let runs_along_wall = !contacts.is_empty() && inlet_of(walls, *contacts).is_none();
+            if runs_along_wall && inflow.holds(x) {
+                contacts.insert(index);
             }
         }
-        let on_face = |x: &Vector<D>| {
-            let gap = walls[index].touch(x, 0.0).gap.abs();
-            faces.iter().any(|(corners, gradients, opposite)| {
-                gap <= ON * distance(&corners[0], &corners[1]) && {
-                    let shares = barycentric(gradients, corners, x);
-                    (0..N).all(|i| i == *opposite || shares[i] >= -ON)
-                }
-            })
-        };
-        let others = (0..cloud.place.len()).filter(|&node| !cloud.contacts[node].is_empty());
-        let come: Vec<usize> = others
-            .filter(|&node| inlet_of(walls, cloud.contacts[node]).is_none() && cloud.drop[node] == 0.0)
-            .filter(|&node| on_face(&cloud.place[node]))
-            .collect();
-        come.into_iter().for_each(|node| cloud.contacts[node].insert(index));
     }
 }
 

@@ -277,7 +277,8 @@ mod tests {
     fn nodes_in_an_inlet_stay_where_they_are_when_others_come_near() {
         let mut cloud = Body::<3, 4>::of_box([0.0; 3], [1.0; 3], 0.25).unwrap().cloud();
         let plane = Plane { point: [0.0; 3], normal: [0.0, 0.0, 1.0] };
-        let inflow = Inflow::new(plane.normal, 1.0, Arc::new(|_, _| [0.0, 0.0, 1.0]));
+        let inflow =
+            Inflow::new::<4>(plane.normal, 1.0, std::iter::empty(), Arc::new(|_, _| [0.0, 0.0, 1.0]));
         let walls = [Wall::inlet("inlet", plane, inflow)];
         let inlet: Vec<usize> = (0..cloud.place.len()).filter(|&node| cloud.place[node][2] == 0.0).collect();
         inlet.iter().for_each(|&node| cloud.contacts[node].insert(0));

@@ -7,7 +7,7 @@ use super::super::topology::Events;
 use super::surface::OUTWARD;
 use super::tetrahedra::Tetrahedra;
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::Wall;
+use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
 use crate::element::simplex::longest_edge;
 use delaunay::HULL;
 
@@ -17,6 +17,9 @@ const SMALLEST_VOID: f64 = 0.5;
 const SMALLEST_PIECE: f64 = 0.3;
 /// A cell under the surface with less than this share of the cube of its longest edge leaves.
 const THINNEST: f64 = 1e-3;
+
+/// A node nearer to the plane of an inlet than this share of h is in it.
+const FLAT: f64 = 1e-6;
 
 /// What is known of the piece of a cell.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -61,7 +64,8 @@ impl Patches {
         }
         let (broken, thin) = self.shed_slivers(cloud, tetrahedra);
         let (pieces, lost) = self.turn(cloud, tetrahedra, true, SMALLEST_PIECE * smallest);
-        book.merging.add(gained);
+        let fed = self.feed(cloud, draft, tetrahedra, walls);
+        book.merging.add(gained + fed);
         book.separation.add(-in_walls - thin - lost);
         (events.filled, events.broken, events.released) = (filled, buried + broken, pieces);
         for node in 0..cloud.place.len() {
@@ -78,7 +82,28 @@ impl Patches {
                 }
             }
         }
-        gained - in_walls - thin - lost
+        gained + fed - in_walls - thin - lost
+    }
+
+    /// Makes cells before inlets fluid: what comes in is there. Returns their volume.
+    fn feed(
+        &mut self,
+        cloud: &Cloud<3, 4>,
+        draft: &Draft<3>,
+        tetrahedra: &mut Tetrahedra,
+        walls: &[Wall<3>],
+    ) -> f64 {
+        let mut sum = 0.0;
+        let closed = walls.iter().all(|wall| wall.inflow.is_none());
+        for cell in 0..if closed { 0 } else { tetrahedra.fluid.len() } {
+            let corners = tetrahedra.made.cells[cell];
+            if !tetrahedra.fluid[cell] && is_fed(cloud, draft, walls, &corners) {
+                tetrahedra.fluid[cell] = true;
+                corners.iter().for_each(|&node| self.uses[node as usize] += 1);
+                sum += tetrahedra.volume(cloud, cell);
+            }
+        }
+        sum
     }
 
     /// Makes pieces of fluid void, or closed voids fluid, that are smaller than `limit`; returns their number and volume.
@@ -164,6 +189,17 @@ impl Patches {
         }
         (count, sum)
     }
+}
+
+/// Whether three corners of a cell are in an inlet and the other before it.
+fn is_fed(cloud: &Cloud<3, 4>, draft: &Draft<3>, walls: &[Wall<3>], corners: &[u32; 4]) -> bool {
+    let contacts = corners.map(|node| cloud.contacts[node as usize]);
+    (0..4).any(|apex| {
+        let face = (0..4).filter(|&i| i != apex).map(|i| contacts[i]).reduce(Contacts::common);
+        let Some((inlet, _)) = face.and_then(|face| inlet_of(walls, face)) else { return false };
+        let (node, h) = (corners[apex] as usize, draft.size[corners[apex] as usize]);
+        walls[inlet].touch(&cloud.place[node], 0.0).gap > FLAT * h
+    })
 }
 
 /// Takes the cells away that are buried in walls; returns their number and volume.
