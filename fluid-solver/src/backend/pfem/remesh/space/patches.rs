@@ -15,8 +15,10 @@ use delaunay::HULL;
 const SMALLEST_VOID: f64 = 0.5;
 /// A piece smaller than this many h³ is drops.
 const SMALLEST_PIECE: f64 = 0.3;
-/// A cell under the surface with less than this share of the cube of its longest edge leaves.
+/// A cell under the surface with less than this share of the cube of its longest edge leaves where no node goes with it.
 const THINNEST: f64 = 1e-3;
+/// Nor do nodes keep one with less than this share: it has no mass, and any pressure would throw them out of it.
+const EMPTY: f64 = 1e-6;
 
 /// A node nearer to the plane of an inlet than this share of h is in it.
 const FLAT: f64 = 1e-6;
@@ -163,7 +165,8 @@ impl Patches {
         (count, sum)
     }
 
-    /// Takes cells without thickness off the surface where no node goes with them; returns their number and volume.
+    /// Takes cells without thickness off the surface; where nodes go with them, only those without volume. Returns their number
+    /// and volume.
     fn shed_slivers(&mut self, cloud: &Cloud<3, 4>, tetrahedra: &mut Tetrahedra) -> (u32, f64) {
         let Self { piece: next, uses, .. } = self;
         let (mut count, mut sum) = (0, 0.0);
@@ -174,11 +177,13 @@ impl Patches {
         while let Some(&cell) = next.get(tried) {
             tried += 1;
             let corners = tetrahedra.made.cells[cell];
-            if !tetrahedra.fluid[cell] || corners.iter().any(|&node| uses[node as usize] == 1) {
+            if !tetrahedra.fluid[cell] {
                 continue;
             }
             let volume = tetrahedra.volume(cloud, cell);
-            if volume < THINNEST * longest_edge(&cloud.vertices(&corners)).powi(3) {
+            let bears = corners.iter().any(|&node| uses[node as usize] == 1);
+            let least = if bears { EMPTY } else { THINNEST };
+            if volume < least * longest_edge(&cloud.vertices(&corners)).powi(3) {
                 tetrahedra.fluid[cell] = false;
                 corners.iter().for_each(|&node| uses[node as usize] -= 1);
                 let around = tetrahedra.made.neighbours[cell].iter().map(|&other| other as usize);
@@ -227,4 +232,29 @@ fn unearth(
 fn at_wall(cloud: &Cloud<3, 4>, cell: &[u32; 4], opposite: usize) -> bool {
     let [a, b, c] = OUTWARD[opposite].map(|k| cloud.contacts[cell[k] as usize]);
     !a.common(b).common(c).is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::size::TargetSize;
+    use super::*;
+    use crate::backend::pfem::body::Body;
+
+    #[test]
+    fn a_node_whose_only_cell_has_no_volume_flies_with_what_it_had() {
+        let place = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 0.0]];
+        let cells = vec![[0, 1, 2, 3], [1, 0, 2, 4]];
+        let neighbours = vec![[HULL, HULL, HULL, 1], [HULL, HULL, HULL, 0]];
+        let mut cloud = Body { place, cells: cells.clone(), neighbours: neighbours.clone() }.cloud();
+        let (mut draft, mut tetrahedra) = (Draft::<3>::default(), Tetrahedra::default());
+        draft.read_sizes(&cloud, &TargetSize::Constant(0.5));
+        draft.mass = vec![0.02; 5];
+        (tetrahedra.made.cells, tetrahedra.made.neighbours) = (cells, neighbours);
+        tetrahedra.fluid = vec![true; 2];
+        let (mut book, mut events) = (VolumeBooks::default(), Events::default());
+        let walls = (&[][..], 0.0);
+        Patches::default().settle(&mut cloud, &mut draft, &mut tetrahedra, walls, &mut book, &mut events);
+        assert_eq!(tetrahedra.fluid, [true, false]);
+        assert_eq!(cloud.drop, [0.0, 0.0, 0.0, 0.0, 0.02]);
+    }
 }
