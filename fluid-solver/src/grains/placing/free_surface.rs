@@ -1,8 +1,8 @@
-//! Grains in a fluid with a free surface: a grain is wet by the share of it that is below the surface.
+//! Grains in a fluid with a free surface: a grain is wet by the share of it that is in the fluid.
 
 use super::Placing;
 use super::spread::{Spread, Spreading};
-use super::wetted::share_below;
+use super::wetted::{cut_off, volume};
 use crate::element::simplex::{Vector, barycentric};
 use crate::mesh::Mesh;
 use crate::mesh::locate::Locator;
@@ -37,6 +37,7 @@ struct Near<const D: usize> {
     distance: f64,
     face: u32,
     place: Vector<D>,
+    is_surface: bool,
 }
 
 impl<const D: usize> FreeSurface<D> {
@@ -64,8 +65,8 @@ impl<const D: usize> FreeSurface<D> {
 
     /// How a grain is in the fluid; none if it is dry.
     ///
-    /// The surface near a grain is taken for a plane, at the signed distance of its nearest point. A centre outside all cells
-    /// that has only a wall within its radius is behind a coarse wall, and wet.
+    /// What the surface leaves of it. A centre outside all cells that is nearer to a wall than to the surface is behind a coarse
+    /// wall, and in the fluid.
     fn immersion<const N: usize>(
         &self,
         mesh: &Mesh<D, N>,
@@ -73,28 +74,32 @@ impl<const D: usize> FreeSurface<D> {
         host: &mut Option<u32>,
     ) -> Option<Immersion> {
         let (x, radius) = (&grain.position, 0.5 * grain.diameter);
-        let [mut surface, mut wall]: [Option<Near<D>>; 2] = [None; 2];
+        let (mut near, mut facets): (Option<Near<D>>, _) = (None, Vec::new());
         self.locator.for_each_face_within(mesh, x, radius, |face, distance, place| {
             let is_surface = mesh.boundary()[face as usize].group == FREE_SURFACE;
-            let nearest = if is_surface { &mut surface } else { &mut wall };
-            if nearest.is_none_or(|near| (distance, face) < (near.distance, near.face)) {
-                *nearest = Some(Near { distance, face, place });
+            if is_surface {
+                facets.push(face);
+            }
+            let key = |near: &Near<D>| (near.distance, !near.is_surface, near.face);
+            let found = Near { distance, face, place, is_surface };
+            if near.is_none_or(|near| key(&found) < key(&near)) {
+                near = Some(found);
             }
         });
-        let inside = self.locator.host(mesh, x, *host);
-        *host = inside.map(|(cell, _)| cell);
-        match (inside, surface, wall) {
-            (Some((cell, coordinates)), surface, _) => {
-                let wetted = surface.map_or(1.0, |near| share_below::<D>(near.distance / radius));
-                Some(Immersion { wetted, size: mesh.interpolate(mesh.size(), cell as usize, &coordinates) })
-            }
-            (None, Some(near), _) => {
-                let wetted = share_below::<D>(-near.distance / radius);
-                (wetted > 0.0).then(|| Immersion { wetted, size: size_at(mesh, &near) })
-            }
-            (None, None, Some(near)) => Some(Immersion { wetted: 1.0, size: size_at(mesh, &near) }),
-            (None, None, None) => None,
-        }
+        facets.sort_unstable();
+        facets.dedup();
+        let within = self.locator.host(mesh, x, *host);
+        *host = within.map(|(cell, _)| cell);
+        let size = match (within, near) {
+            (Some((cell, coordinates)), _) => mesh.interpolate(mesh.size(), cell as usize, &coordinates),
+            (None, Some(near)) => size_at(mesh, &near),
+            (None, None) => return None,
+        };
+        let inside = within.is_some() || near.is_some_and(|near| !near.is_surface);
+        let corners = |face: u32| mesh.face_vertices(&mesh.boundary()[face as usize]);
+        let taken: f64 = facets.iter().map(|&face| cut_off(x, radius, &corners(face), inside)).sum();
+        let wetted = (f64::from(u8::from(inside)) - taken / volume::<D>(radius)).clamp(0.0, 1.0);
+        (wetted > 0.0).then_some(Immersion { wetted, size })
     }
 }
 

@@ -1,7 +1,10 @@
 //! Grains in the free surface.
 
 use super::scene::{SIDE, Tank};
+use crate::support::{WATER, block};
+use fluid_solver::backend::pfem::grains::GrainsInCloud;
 use fluid_solver::backend::pfem::wall::Grip;
+use fluid_solver::grains::Spreading;
 use interface::frames::GrainRow;
 
 const RADIUS: f64 = 0.009;
@@ -11,6 +14,14 @@ fn at<const D: usize>(height: f64) -> GrainRow {
     let mut position = std::array::from_fn(|k| if k < D { 0.43 * SIDE } else { 0.0 });
     position[D - 1] = SIDE + height;
     GrainRow { position, radius: RADIUS, mass: 1.0, ..GrainRow::default() }
+}
+
+/// Share of a grain below a plane this many radii over its centre.
+fn share_below<const D: usize>(depth: f64) -> f64 {
+    match D {
+        2 => 0.5 + (depth.asin() + depth * (1.0 - depth * depth).sqrt()) / std::f64::consts::PI,
+        _ => 0.25 * (2.0 + 3.0 * depth - depth.powi(3)),
+    }
 }
 
 fn crossing<const D: usize, const N: usize>(cells: usize) {
@@ -24,10 +35,7 @@ fn crossing<const D: usize, const N: usize>(cells: usize) {
         let sample = tank.grains.sample(0);
         // Buoyancy by Archimedes.
         let depth = (-height / RADIUS).clamp(-1.0, 1.0);
-        let below = match D {
-            2 => 0.5 + (depth.asin() + depth * (1.0 - depth * depth).sqrt()) / std::f64::consts::PI,
-            _ => 0.25 * (2.0 + 3.0 * depth - depth.powi(3)),
-        };
+        let below = share_below::<D>(depth);
         assert!((sample.wetted_fraction - below).abs() <= 1e-12, "{} {below}", sample.wetted_fraction);
         assert_eq!(sample.density == 0.0, below == 0.0);
         let spread = tank.grains.void_fraction().iter().zip(tank.grains.mesh().measure());
@@ -66,4 +74,24 @@ fn a_grain_at_a_wall_under_water_is_wet() {
     tank.grains.populate(&tank.cloud, &[grain(-2.0 * RADIUS)]).unwrap();
     tank.grains.prepare_samples();
     assert_eq!(tank.grains.sample(0).wetted_fraction, 0.0);
+}
+
+/// A grain in the middle of a film.
+fn in_film<const D: usize, const N: usize>(thickness: f64) {
+    let mut size = [SIDE; D];
+    size[D - 1] = thickness;
+    let film = block::<D, N>(size, std::array::from_fn(|k| if k == D - 1 { 1 } else { 20 }), 0.0);
+    let mut grains = GrainsInCloud::new(WATER, 1.0, film.place.len(), Spreading::Kernel);
+    grains.forget(&film);
+    grains.populate(&film, &[at::<D>(0.5 * thickness - SIDE)]).unwrap();
+    grains.prepare_samples();
+    let share = 2.0 * share_below::<D>(0.5 * thickness / RADIUS) - 1.0;
+    let found = grains.sample(0).wetted_fraction;
+    assert!((found - share).abs() <= 1e-12, "{found} {share}");
+}
+
+#[test]
+fn of_a_grain_thicker_than_its_film_no_more_is_wet_than_lies_in_it() {
+    in_film::<2, 3>(0.4 * RADIUS);
+    in_film::<3, 4>(0.4 * RADIUS);
 }
