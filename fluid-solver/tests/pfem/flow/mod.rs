@@ -5,6 +5,7 @@ mod ledger;
 mod plastic;
 mod rest;
 mod schemes;
+mod stone;
 mod wall_function;
 mod walls;
 pub mod waves;

@@ -3,11 +3,21 @@
 use case_io::document::{Case, Overrides};
 use fluid_solver::backend::{self, Attempt, FluidBackend, Step};
 
-/// The fluid of a case: what is stated between `[time]` and the end.
+/// Water in a case: what is stated between `[time]` and the end.
 pub fn fluid(name: &str, dimension: usize, tables: &str) -> Box<dyn FluidBackend> {
+    liquid(name, dimension, ["1000 kg/m^3", "1 mPa s"], tables)
+}
+
+/// A fluid of some density and viscosity in a case.
+pub fn liquid(
+    name: &str,
+    dimension: usize,
+    [density, viscosity]: [&str; 2],
+    tables: &str,
+) -> Box<dyn FluidBackend> {
     let gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"];
     let text = format!(
-        "[case]\ntitle = \"gates\"\ndimension = {dimension}\ngravity = {:?}\n[time]\nend = \"1 s\"\nwindow = \"1 ms\"\n[fluid]\nbackend = \"pfem\"\ndensity = \"1000 kg/m^3\"\nviscosity = \"1 mPa s\"\n{tables}",
+        "[case]\ntitle = \"gates\"\ndimension = {dimension}\ngravity = {:?}\n[time]\nend = \"1 s\"\nwindow = \"1 ms\"\n[fluid]\nbackend = \"pfem\"\ndensity = {density:?}\nviscosity = {viscosity:?}\n{tables}",
         &gravity[3 - dimension..]
     );
     let folder = std::env::temp_dir().join(format!("silt-gates-{name}-{}", std::process::id()));

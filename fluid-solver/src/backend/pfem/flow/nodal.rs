@@ -10,6 +10,10 @@ use super::tangent::Tangent;
 use super::topology::Topology;
 use crate::element::simplex::Vector;
 
+/// In so many passes of a step τ follows a viscosity that depends on the rate of shear. Then it stays: the tangent has none of it,
+/// and where ∇p and the weight are far apart, as at the tip of a front, passes would go to and fro with it.
+const FOLLOWED: usize = 4;
+
 /// The cells in the middle of the step, and what they add to their corners.
 #[derive(Debug)]
 pub struct Assembly<const D: usize, const N: usize> {
@@ -17,6 +21,8 @@ pub struct Assembly<const D: usize, const N: usize> {
     pub cells: Vec<Cell<D, N>>,
     /// How their stress changes; none where one viscosity holds.
     tangents: Vec<Tangent<D>>,
+    /// How often the cells were placed in this step.
+    placed: usize,
     /// V_i = Σ V/N, of the fluid alone Σ ∫εN_i (m³); 0 at drops.
     pub volumes: Vec<f64>,
     rows: Vec<Rows<D, N>>,
@@ -53,13 +59,14 @@ pub enum Part {
 
 impl<const D: usize, const N: usize> Default for Assembly<D, N> {
     fn default() -> Self {
-        Self { cells: Vec::new(), tangents: Vec::new(), volumes: Vec::new(), rows: Vec::new() }
+        Self { cells: Vec::new(), tangents: Vec::new(), placed: 0, volumes: Vec::new(), rows: Vec::new() }
     }
 }
 
 impl<const D: usize, const N: usize> Assembly<D, N> {
     /// Forgets the stresses that the last step arrived at.
     pub fn begin(&mut self, cells: usize, rheology: &Rheology) {
+        self.placed = 0;
         self.tangents.clear();
         self.tangents.resize(if rheology.is_newtonian() { 0 } else { cells }, Tangent::UNKNOWN);
     }
@@ -90,10 +97,14 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         let empty = Cell::new(&nowhere, &nowhere, inertia, rheology);
         self.cells.resize(topology.cells().len(), empty);
         self.rows.resize(topology.cells().len(), ([[0.0; D]; N], [0.0; N]));
+        let follows = rheology.is_newtonian() || self.placed < FOLLOWED;
+        self.placed += 1;
         for_each(&mut self.cells, |index, cell| {
             let corners = topology.cells()[index].map(|node| place(node as usize));
             let v = topology.cells()[index].map(|node| velocity[node as usize]);
-            *cell = Cell::new(&corners, &v, inertia, rheology);
+            let moved = Cell::new(&corners, &v, inertia, rheology);
+            let relaxation = if follows { moved.relaxation } else { cell.relaxation };
+            *cell = Cell { relaxation, ..moved };
         });
         self.volumes.resize(topology.pattern().rows(), 0.0);
         let cells = &self.cells;
@@ -124,7 +135,7 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         momentum: &mut [Vector<D>],
         volume: &mut [f64],
     ) {
-        let Self { cells, tangents, volumes, rows } = self;
+        let Self { cells, tangents, volumes, rows, .. } = self;
         let Fields { velocity, pressure, excess, bulk, part, grains } = fields;
         for_each(rows, |index, rows| {
             let nodes = topology.cells()[index].map(|node| node as usize);

@@ -5,8 +5,9 @@ use crate::backend::pfem::flow::krylov::StepOperator;
 use crate::backend::pfem::flow::preconditioner::{Preconditioning, StepPreconditioner};
 use linear::{FlexibleGmres, Stopping};
 
-/// Linear iterations between restarts, and the most of a pass.
-const ITERATIONS: [usize; 2] = [40, 400];
+/// Linear iterations between restarts, and the most of a pass. The softest directions of a yield stress are as many as there are
+/// cells that yield: with 40 between restarts they are found and forgotten for ever.
+const ITERATIONS: [usize; 2] = [160, 400];
 /// The most passes of a step, with one viscosity and with one that depends on the rate of shear.
 const PASSES: [u64; 2] = [20, 60];
 /// What a linear solve leaves of the residual that it began with, at most: geometry and viscosity change after it anyway.
