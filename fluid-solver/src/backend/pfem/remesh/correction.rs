@@ -6,7 +6,7 @@ use crate::backend::pfem::wall::{Wall, inlet_of};
 use crate::element::simplex::{Vector, dot};
 
 /// Share of what is missing that one step restores.
-pub const RATE: f64 = 0.2;
+const RATE: f64 = 0.2;
 /// Largest shift as a share of h.
 pub const LARGEST: f64 = 0.01;
 
