@@ -6,7 +6,8 @@ use super::trial::{AT_REST, Effort, GRAVITY, Kind, MOVING, Trial};
 
 /// All of them.
 pub fn trials(effort: Effort) -> Vec<Trial> {
-    [courant(), clouds(), impacts(effort), flights(), long(effort), edges(), emptied(), refusals()].concat()
+    [courant(), clouds(), impacts(effort), flights(), long(effort), edges(effort), emptied(), refusals()]
+        .concat()
 }
 
 fn trial(
@@ -91,7 +92,8 @@ fn long(effort: Effort) -> Vec<Trial> {
 }
 
 /// Walls that end, and bubbles that cannot leave.
-fn edges() -> Vec<Trial> {
+fn edges(effort: Effort) -> Vec<Trial> {
+    let quick = effort == Effort::Quick;
     let expected = Expected::Run { volume_error: 1e-2, speed: MOVING };
     let far = plane("far-wall", [0.584, 0.0], [-1.0, 0.0]);
     let obstacle = [[0.292, -0.05], [0.292, 0.048], [0.316, 0.048], [0.316, -0.05]];
@@ -113,7 +115,11 @@ fn edges() -> Vec<Trial> {
     let sill =
         [[0.0, 1.0], [0.0, 0.0], [0.5, 0.0], [0.5, 0.2], [0.52, 0.2], [0.52, -0.2], [1.2, -0.2], [1.2, 1.0]];
     let weir = tank([0.0, 0.0], [0.5, 0.25], 0.0125, "", &[], &wall("tank", &polyline(&sill)));
+    let sill = [[0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [1.0, 0.12], [2.0, 0.12], [2.0, 1.0]];
+    let hump = "surface = \"0.2 + 0.15*exp(-(x/0.3)^2)\"";
+    let hump = tank([0.0, 0.0], [1.0, 0.3], 0.02, hump, &[], &wall("tank", &polyline(&sill)));
     vec![
+        trial("edge", "a wave over a step", (2e-3, if quick { 0.8 } else { 3.0 }), expected, hump),
         trial(
             "edge",
             "a block let down on level water",

@@ -38,12 +38,12 @@ pub fn of(case: &Case, fluid: &Fluid, response: Response) -> Result<Box<dyn Flui
     match case.document.case.dimension {
         Dimension::Two => {
             let mesh = has_mesh.then(|| mesh::case::plane(case, fluid)).transpose()?;
-            let renewal = Box::new(Remesher::<2, 3>::new(recognition));
+            let renewal = Box::new(Remesher::<2, 3>::new(recognition).under(lifted_against(case, fluid)));
             Ok(Box::new(backend::<2, 3>(case, fluid, mesh, renewal, response)?))
         }
         Dimension::Three => {
             let mesh = has_mesh.then(|| mesh::case::space(case, fluid)).transpose()?;
-            let renewal = Box::new(SpaceRemesher::new(recognition));
+            let renewal = Box::new(SpaceRemesher::new(recognition).under(lifted_against(case, fluid)));
             Ok(Box::new(backend::<3, 4>(case, fluid, mesh, renewal, response)?))
         }
     }
@@ -74,12 +74,10 @@ fn backend<const D: usize, const N: usize>(
     cloud.velocity = velocity;
     touch(case, &mut cloud, &walls, size)?;
     enter(&mut cloud, &walls, &openings);
-    let body_force = fluid.body_force.as_ref().map_or([0.0; D], |force| force.to_array());
-    let gravity: Vector<D> = table.gravity.to_array();
     let setting = Setting {
         walls,
         size: target_size(fluid, size),
-        acceleration: std::array::from_fn(|k| gravity[k] + body_force[k]),
+        acceleration: acceleration(case, fluid),
         response,
         spreading: spreading(fluid),
         density: fluid.density.si(),
@@ -98,6 +96,18 @@ fn backend<const D: usize, const N: usize>(
     };
     let control = Control { tolerance: fluid.solve_tolerance(), scheme, ..Control::default() };
     Ok(Pfem::new(setting, cloud, Flow::new(properties, control), renewal, Gates::new(outlets)))
+}
+
+/// Gravity and body force (m/s²).
+fn acceleration<const D: usize>(case: &Case, fluid: &Fluid) -> Vector<D> {
+    let body_force = fluid.body_force.as_ref().map_or([0.0; D], |force| force.to_array());
+    let gravity: Vector<D> = case.document.case.gravity.to_array();
+    std::array::from_fn(|k| gravity[k] + body_force[k])
+}
+
+/// What remeshing lifts volume against: where there are grains it is they that raise the surface.
+fn lifted_against<const D: usize>(case: &Case, fluid: &Fluid) -> Vector<D> {
+    if case.document.grains.is_some() { [0.0; D] } else { acceleration(case, fluid) }
 }
 
 /// Target size of the cells: finer than `coarse` (m) where the case says so.

@@ -195,8 +195,8 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
 
     /// ε_a |N_a| (m³; m² in 2D).
     fn fluid_volumes(&self, cloud: &Cloud<D, N>) -> Vec<f64> {
-        let (mut cells, mut nodes) = (Vec::new(), Vec::new());
-        volumes(cloud, &mut cells, &mut nodes);
+        let mut nodes = Vec::new();
+        volumes(cloud, &mut nodes);
         nodes.iter_mut().zip(self.void_fraction()).for_each(|(volume, void)| *volume *= void);
         nodes
     }

@@ -58,8 +58,8 @@ pub fn statistics<const D: usize, const N: usize>(
         [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
     let (cloud, depth) = (&state.cloud, setting.depth);
     let mut found = audits(state, setting, grains);
-    let (mut cell_volumes, mut mass) = (Vec::new(), Vec::new());
-    volumes(cloud, &mut cell_volumes, &mut mass);
+    let mut mass = Vec::new();
+    volumes(cloud, &mut mass);
     mass.iter_mut().zip(grains.void_fraction()).for_each(|(mass, void)| *mass *= void);
     let momentum = |k: usize| mass.iter().zip(&cloud.velocity).map(|(mass, v)| mass * v[k]).sum::<f64>();
     found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.density * momentum(k))));

@@ -3,7 +3,7 @@
 //! S. Koshizuka & Y. Oka, Nucl. Sci. Eng. 123 (1996) 421: the tank; here without the obstacle.
 
 use super::{Fluid, Seeds};
-use crate::support::{WATER, flow, gravity, tank};
+use crate::support::{G, WATER, flow, gravity, tank};
 use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::flow::{Flow, FlowFault};
 use fluid_solver::backend::pfem::remesh::{Recognition, Remesher};
@@ -21,6 +21,7 @@ pub struct Outcome {
 /// Flow and remeshing to `end`; a step that proves too long is halved, down to 1/64.
 pub fn run(fluid: &mut Fluid, end: f64, dt: f64) -> Outcome {
     let mut solver: Flow<2, 3> = flow(WATER, 1e-6);
+    fluid.remesher = std::mem::take(&mut fluid.remesher).under([0.0, -G]);
     let start = fluid.energy();
     let mut outcome = Outcome { volume_error: 0.0, energy: 0.0, energy_left: 0.0 };
     while fluid.time < end - 1e-9 {

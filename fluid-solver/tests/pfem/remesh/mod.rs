@@ -2,6 +2,7 @@
 
 mod dam_break;
 mod drop;
+mod energy;
 mod exact;
 mod graded;
 mod sloshing;
@@ -83,7 +84,8 @@ impl Seeds {
             .remesh(&mut self.cloud, &self.walls, 0.0, &size, &mut Books::default())
             .unwrap();
         let books = Books::start(&self.cloud);
-        Fluid { cloud: self.cloud, walls: self.walls, size, books, remesher: Remesher::default(), time: 0.0 }
+        let remesher = Remesher::default();
+        Fluid { cloud: self.cloud, walls: self.walls, size, books, remesher, time: 0.0 }
     }
 }
 

@@ -44,7 +44,8 @@ fn a_tank_in_space_stays_flat_for_a_thousand_steps_of_remeshing() {
     touch(&mut cloud, &walls);
     cloud.pressure = cloud.place.iter().map(|x| WATER.density * G * (DEPTH - x[2])).collect();
     let (start, mut books) = (cloud.clone(), Books::start(&cloud));
-    let (mut flow, mut remesher) = (flow(WATER, 1e-6), SpaceRemesher::default());
+    let mut flow = flow(WATER, 1e-6);
+    let mut remesher = SpaceRemesher::default().under([0.0, 0.0, -G]);
     for n in 0..1000 {
         let at = Step { time: n as f64 * 1e-3, length: 1e-3 };
         assert_eq!(step((&mut flow, &mut remesher), &mut cloud, &walls, 0.06, at, &mut books), (1e-3, 0));
@@ -70,7 +71,8 @@ fn a_dam_that_breaks_in_space_and_hits_the_wall_keeps_its_volume_and_loses_energ
     };
     let (volume, mut highest) = (books.volume.target, mechanical(&cloud));
     let start = highest;
-    let (mut flow, mut remesher) = (flow(WATER, 1e-6), SpaceRemesher::default());
+    let mut flow = flow(WATER, 1e-6);
+    let mut remesher = SpaceRemesher::default().under([0.0, 0.0, -G]);
     let (mut time, mut steps, mut halved, mut worst) = (0.0, 0, 0, 0.0f64);
     while time < 0.25 {
         let at = Step { time, length: 1e-3 };

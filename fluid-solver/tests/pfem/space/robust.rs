@@ -107,7 +107,8 @@ fn a_drop_that_falls_into_a_pool_becomes_part_of_it_and_has_no_energy_but_of_the
         energy.kinetic + G * energy.moment[2]
     };
     let (start, mut highest, mut worst) = (mechanical(&cloud), 0.0f64, 0.0f64);
-    let (mut flow, mut remesher) = (flow(WATER, 1e-6), SpaceRemesher::default());
+    let mut flow = flow(WATER, 1e-6);
+    let mut remesher = SpaceRemesher::default().under([0.0, 0.0, -G]);
     let mut time = 0.0;
     while time < 0.25 {
         let at = Step { time, length: 2e-3 };

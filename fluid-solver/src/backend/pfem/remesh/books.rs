@@ -70,19 +70,20 @@ impl VolumeBooks {
 /// Energies of the fluid per density.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy<const D: usize> {
-    /// ∫ ½ |v|² dV.
+    /// Σ ½ V_i |v_i|², V_i the share of a node in its cells, or its drop: the masses of the flow are at the nodes, and this
+    /// is the energy that its steps keep.
     pub kinetic: f64,
-    /// ∫ x dV; the potential energy is −ρ g · of it.
+    /// Σ V_i x_i = ∫ x dV; the potential energy is −ρ g · of it.
     pub moment: Vector<D>,
 }
 
 /// What remeshing in all did to the energies per density.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyBooks<const D: usize> {
-    /// Change of ∫ ½ |v|² dV.
+    /// Change of Σ ½ V_i |v_i|².
     pub kinetic: Account,
-    /// Of it what was taken from the relative motion of nodes: after events what the volume gained brought with it, and in
-    /// space whatever remeshing would otherwise have given in all.
+    /// Of it what was taken from the relative motion of nodes: what remeshing would otherwise have given in all, and of
+    /// kinetic energy after events.
     pub limiter: Account,
     /// Change of ∫ x dV.
     pub moment: [Account; D],
@@ -95,6 +96,12 @@ impl<const D: usize> Default for EnergyBooks<D> {
 }
 
 impl<const D: usize> EnergyBooks<D> {
+    /// What remeshing has given since the start, kinetic and potential.
+    pub fn given(&self, acceleration: &Vector<D>) -> f64 {
+        let potential = self.moment.iter().zip(acceleration).map(|(moment, a)| -a * moment.sum);
+        self.kinetic.sum + potential.sum::<f64>()
+    }
+
     /// Books the change from one energy to another.
     pub fn add(&mut self, before: &Energy<D>, after: &Energy<D>) {
         self.kinetic.add(after.kinetic - before.kinetic);
@@ -125,60 +132,51 @@ pub fn volume<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
     cloud.cells.iter().map(|cell| volume_and_gradients(&cloud.vertices(cell)).0).sum()
 }
 
-/// Writes the volume of each cell and of each node, its share of its cells and its drop; returns that of all cells.
-pub fn volumes<const D: usize, const N: usize>(
-    cloud: &Cloud<D, N>,
-    cells: &mut Vec<f64>,
-    nodes: &mut Vec<f64>,
-) -> f64 {
-    cells.clear();
-    nodes.clear();
-    nodes.extend_from_slice(&cloud.drop);
+/// Writes the volume of each node, its share of its cells and its drop; returns that of all cells.
+pub fn volumes<const D: usize, const N: usize>(cloud: &Cloud<D, N>, nodes: &mut Vec<f64>) -> f64 {
+    nodes.clone_from(&cloud.drop);
+    let mut sum = 0.0;
     for cell in &cloud.cells {
         let volume = volume_and_gradients(&cloud.vertices(cell)).0;
-        cells.push(volume);
+        sum += volume;
         for &node in cell {
             nodes[node as usize] += volume / N as f64;
         }
     }
-    cells.iter().sum()
+    sum
 }
 
-/// ∫ ½ |v|² dV of the cells (v linear in each) and of the drops, from the volumes of the cells.
-pub fn kinetic_energy<const D: usize, const N: usize>(cloud: &Cloud<D, N>, cells: &[f64]) -> f64 {
-    let mut kinetic = 0.0;
-    for (cell, volume) in cloud.cells.iter().zip(cells) {
-        let velocities = cell.map(|node| cloud.velocity[node as usize]);
-        let sum: Vector<D> = std::array::from_fn(|k| velocities.iter().map(|v| v[k]).sum());
-        let squares: f64 = velocities.iter().map(|v| dot(v, v)).sum();
-        kinetic += 0.5 * volume * (dot(&sum, &sum) + squares) / (N * (N + 1)) as f64;
+impl<const D: usize> Energy<D> {
+    /// That of nodes with these volumes.
+    pub fn of<const N: usize>(cloud: &Cloud<D, N>, nodes: &[f64]) -> Self {
+        let mut energy = Self { kinetic: 0.0, moment: [0.0; D] };
+        for ((v, x), volume) in cloud.velocity.iter().zip(&cloud.place).zip(nodes) {
+            energy.kinetic += 0.5 * volume * dot(v, v);
+            (0..D).for_each(|k| energy.moment[k] += volume * x[k]);
+        }
+        energy
     }
-    let drops = cloud.velocity.iter().zip(&cloud.drop);
-    kinetic + drops.map(|(v, drop)| 0.5 * drop * dot(v, v)).sum::<f64>()
+
+    /// Kinetic and potential.
+    pub fn total(&self, acceleration: &Vector<D>) -> f64 {
+        self.kinetic - dot(acceleration, &self.moment)
+    }
 }
 
-/// ∫ x dV of the cells and the drops, from the volumes of the nodes.
-pub fn moment<const D: usize, const N: usize>(cloud: &Cloud<D, N>, nodes: &[f64]) -> Vector<D> {
-    std::array::from_fn(|k| cloud.place.iter().zip(nodes).map(|(x, volume)| volume * x[k]).sum())
-}
-
-/// Energy of the fluid between grains: of the share ε of the cells, given at the nodes, and of the drops.
+/// Energy of the fluid between grains: of the share ε of the volume of each node.
 pub fn energy_between_grains<const D: usize, const N: usize>(
     cloud: &Cloud<D, N>,
     void_fraction: &[f64],
 ) -> Energy<D> {
-    let (mut cells, mut nodes) = (Vec::new(), Vec::new());
-    volumes(cloud, &mut cells, &mut nodes);
-    for (cell, volume) in cloud.cells.iter().zip(&mut cells) {
-        *volume *= cell.iter().map(|&node| void_fraction[node as usize]).sum::<f64>() / N as f64;
-    }
+    let mut nodes = Vec::new();
+    volumes(cloud, &mut nodes);
     nodes.iter_mut().zip(void_fraction).for_each(|(volume, void)| *volume *= void);
-    Energy { kinetic: kinetic_energy(cloud, &cells), moment: moment(cloud, &nodes) }
+    Energy::of(cloud, &nodes)
 }
 
 /// Energy of the cells and of the drops.
 pub fn energy<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> Energy<D> {
-    let (mut cells, mut nodes) = (Vec::new(), Vec::new());
-    volumes(cloud, &mut cells, &mut nodes);
-    Energy { kinetic: kinetic_energy(cloud, &cells), moment: moment(cloud, &nodes) }
+    let mut nodes = Vec::new();
+    volumes(cloud, &mut nodes);
+    Energy::of(cloud, &nodes)
 }

@@ -30,7 +30,6 @@ pub struct Draft<const D: usize = 2> {
     pub edited: bool,
     /// Edges that wait to be forced into the triangulation.
     pub waiting: Vec<[u32; 2]>,
-    cell_volumes: Vec<f64>,
     youngest: u32,
     place_of: Vec<u32>,
 }
@@ -39,7 +38,7 @@ impl Draft {
     /// Reads the moved cloud.
     pub fn read(&mut self, cloud: &Cloud<2, 3>, size: &TargetSize) {
         self.read_sizes(cloud, size);
-        volumes(cloud, &mut self.cell_volumes, &mut self.mass);
+        volumes(cloud, &mut self.mass);
         self.edges.clear();
         for (cell, around) in cloud.cells.iter().zip(&cloud.neighbours) {
             for i in (0..3).filter(|&i| around[i] == OUTSIDE) {

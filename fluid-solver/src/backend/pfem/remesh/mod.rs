@@ -31,7 +31,6 @@ use super::cloud::{Cloud, OUTSIDE};
 use super::renewal::Renewal;
 use super::wall::Wall;
 use crate::element::simplex::Vector;
-use books::kinetic_energy;
 use draft::{Draft, area, height};
 use interface::usage::ThreadClock;
 use tessellation::Tessellation;
@@ -46,11 +45,12 @@ const PASSES: usize = 3;
 pub struct Remesher<const D: usize, const N: usize> {
     /// How the fluid is told from the void.
     pub recognition: Recognition,
+    /// What volume is lifted against (m/s²): its potential energy may not come from nothing.
+    acceleration: Vector<2>,
     spent: Spent,
     draft: Draft,
     triangles: Tessellation,
     gradient: Vec<Vector<D>>,
-    cell_volumes: Vec<f64>,
     node_volumes: Vec<f64>,
     cells: Vec<[u32; N]>,
     neighbours: Vec<[u32; N]>,
@@ -89,6 +89,11 @@ impl Remesher<2, 3> {
         Self { recognition, ..Self::default() }
     }
 
+    /// That of a fluid under an acceleration (m/s²).
+    pub fn under(self, acceleration: Vector<2>) -> Self {
+        Self { acceleration, ..self }
+    }
+
     /// Whether a cell is so flat that no step could move it.
     fn has_flat_cells(&self, cloud: &Cloud<2, 3>) -> bool {
         cloud
@@ -106,8 +111,8 @@ impl Remesher<2, 3> {
         books: &mut Books<2>,
     ) -> Result<Events, delaunay::Error> {
         let mut clock = ThreadClock::start();
-        let energy_before = energy(cloud);
         self.draft.read(cloud, size);
+        let energy_before = Energy::of(cloud, &self.draft.mass);
         let mut momentum = transfer::momentum(&self.draft.mass, &cloud.velocity);
         self.spent.transfer += clock.lap();
         let book = &mut books.volume;
@@ -137,15 +142,12 @@ impl Remesher<2, 3> {
             self.take_cells(cloud);
         }
         self.spent.settling += clock.lap();
-        books.volume.cells = volumes(cloud, &mut self.cell_volumes, &mut self.node_volumes);
+        books.volume.cells = volumes(cloud, &mut self.node_volumes);
         transfer::keep_momentum(cloud, &self.draft.mass, momentum, &self.node_volumes);
-        if events.impact() {
-            let surplus = kinetic_energy(cloud, &self.cell_volumes) - energy_before.kinetic;
-            let taken = transfer::take_surplus(cloud, &self.draft.mass, &self.node_volumes, surplus);
-            books.energy.limiter.add(-taken);
-        }
+        let volumes = (&*self.draft.mass, &*self.node_volumes);
+        let before = (&energy_before, events.impact());
+        transfer::keep_energy(cloud, volumes, before, &self.acceleration, &mut books.energy);
         books.volume.drops = cloud.drop.iter().sum();
-        books.energy.add(&energy_before, &energy(cloud));
         self.spent.transfer += clock.lap();
         Ok(events)
     }

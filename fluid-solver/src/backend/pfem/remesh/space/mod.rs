@@ -13,7 +13,7 @@ mod surface;
 mod tetrahedra;
 mod unchanged;
 
-use super::books::{kinetic_energy, moment, volumes};
+use super::books::volumes;
 use super::draft::Draft;
 use super::recognition::Recognition;
 use super::spent::Spent;
@@ -38,6 +38,8 @@ const BLOW: f64 = 0.1;
 pub struct SpaceRemesher {
     /// How the fluid is told from the void.
     pub recognition: Recognition,
+    /// What volume is lifted against (m/s²): its potential energy may not come from nothing.
+    acceleration: Vector<3>,
     spent: Spent,
     draft: Draft<3>,
     management: Management,
@@ -45,7 +47,6 @@ pub struct SpaceRemesher {
     recogniser: Recogniser,
     patches: Patches,
     gradient: Vec<Vector<3>>,
-    cell_volumes: Vec<f64>,
     node_volumes: Vec<f64>,
 }
 
@@ -53,6 +54,11 @@ impl SpaceRemesher {
     /// A remesher with a rule.
     pub fn new(recognition: Recognition) -> Self {
         Self { recognition, ..Self::default() }
+    }
+
+    /// That of a fluid under an acceleration (m/s²).
+    pub fn under(self, acceleration: Vector<3>) -> Self {
+        Self { acceleration, ..self }
     }
 }
 
@@ -65,11 +71,11 @@ impl Renewal<3, 4> for SpaceRemesher {
         size: &TargetSize,
         books: &mut Books<3>,
     ) -> Result<Events, delaunay::Error> {
-        let Self { spent, draft, tetrahedra, cell_volumes, node_volumes, .. } = self;
+        let Self { spent, draft, tetrahedra, node_volumes, .. } = self;
         let mut clock = ThreadClock::start();
         draft.read_sizes(cloud, size);
-        volumes(cloud, cell_volumes, &mut draft.mass);
-        let energy_before = energy(cloud, cell_volumes, &draft.mass);
+        volumes(cloud, &mut draft.mass);
+        let energy_before = Energy::of(cloud, &draft.mass);
         let momentum = transfer::momentum(&draft.mass, &cloud.velocity);
         spent.transfer += clock.lap();
 
@@ -97,7 +103,7 @@ impl Renewal<3, 4> for SpaceRemesher {
             tetrahedra.take(cloud, draft);
             spent.settling += clock.lap();
         }
-        book.cells = volumes(cloud, cell_volumes, node_volumes);
+        book.cells = volumes(cloud, node_volumes);
         book.drops = cloud.drop.iter().sum();
         if !stays {
             let overlap = managed + settled - book.cells;
@@ -107,12 +113,9 @@ impl Renewal<3, 4> for SpaceRemesher {
             events.closed = u32::from(overlap < -BLOW * smallest.powi(3));
         }
         transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);
-        let gained = kinetic_energy(cloud, cell_volumes) - energy_before.kinetic;
-        // New cells between the same nodes gain or lose some: in all they may not gain.
-        let surplus = if events.impact() { gained } else { gained + books.energy.kinetic.sum.min(0.0) };
-        let taken = transfer::take_surplus(cloud, &draft.mass, node_volumes, surplus);
-        books.energy.limiter.add(-taken);
-        books.energy.add(&energy_before, &energy(cloud, cell_volumes, node_volumes));
+        let volumes = (&*draft.mass, &**node_volumes);
+        let before = (&energy_before, events.impact());
+        transfer::keep_energy(cloud, volumes, before, &self.acceleration, &mut books.energy);
         cloud.relieve_drops();
         spent.transfer += clock.lap();
         Ok(events)
@@ -121,9 +124,4 @@ impl Renewal<3, 4> for SpaceRemesher {
     fn spent(&self) -> Spent {
         self.spent
     }
-}
-
-/// Energies per density, from the volumes of cells and nodes.
-fn energy(cloud: &Cloud<3, 4>, cell_volumes: &[f64], node_volumes: &[f64]) -> Energy<3> {
-    Energy { kinetic: kinetic_energy(cloud, cell_volumes), moment: moment(cloud, node_volumes) }
 }
