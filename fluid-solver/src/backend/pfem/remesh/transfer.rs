@@ -54,13 +54,16 @@ pub fn keep_energy<const D: usize, const N: usize>(
     books: &mut EnergyBooks<D>,
 ) {
     let mut taken = 0.0;
-    if impact {
-        let surplus = Energy::of(cloud, volumes).kinetic - before.kinetic;
-        taken += take_surplus(cloud, volumes, surplus, |node| has_changed(mass, volumes, node));
+    // Bare nodes had no energy that there could be more of.
+    if mass.iter().any(|mass| *mass > 0.0) {
+        if impact {
+            let surplus = Energy::of(cloud, volumes).kinetic - before.kinetic;
+            taken += take_surplus(cloud, volumes, surplus, |node| has_changed(mass, volumes, node));
+        }
+        let gained = Energy::of(cloud, volumes).total(acceleration) - before.total(acceleration);
+        let surplus = gained + books.given(acceleration).min(0.0);
+        taken += take_surplus(cloud, volumes, surplus, |_| true);
     }
-    let gained = Energy::of(cloud, volumes).total(acceleration) - before.total(acceleration);
-    let surplus = gained + books.given(acceleration).min(0.0);
-    taken += take_surplus(cloud, volumes, surplus, |_| true);
     books.limiter.add(-taken);
     books.add(before, &Energy::of(cloud, volumes));
 }
