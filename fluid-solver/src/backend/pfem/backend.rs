@@ -140,7 +140,7 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
         }
     }
 
-    /// The books of a step: Σ m(v_{n+1} − v_n) against gravity and walls, each a sum of its own.
+    /// The books of a step: Σ m(v_{n+1} − v_n), and what nodes exchange, against gravity and walls, each a sum of its own.
     fn ledger(&self, step: Step, solution: &FlowSolution<D>) -> FluidLedger {
         let (cloud, depth) = (&self.state.cloud, self.setting.depth);
         let mut ledger = FluidLedger::default();
@@ -157,6 +157,11 @@ impl<const D: usize, const N: usize> Pfem<D, N> {
             }
             ledger.volume += mass / self.setting.density;
             ledger.kinetic_energy += 0.5 * mass * dot(&solution.end_velocity[i], &solution.end_velocity[i]);
+        }
+        for k in 0..D {
+            let exchange = step.length * depth * solution.exchange[k];
+            ledger.rate[k] += exchange;
+            ledger.scale += exchange.abs();
         }
         self.grains.book(step, solved(solution), self.setting.response, &mut ledger);
         ledger

@@ -23,7 +23,8 @@ fn collapse<const D: usize, const N: usize>(cells: [usize; D], grip: Grip) {
         for k in 0..D {
             let weight: f64 = if k == D - 1 { -G * solution.mass.iter().sum::<f64>() } else { 0.0 };
             let reaction: f64 = solution.reaction.iter().map(|force| force[k]).sum();
-            let change = momentum(&solution.mass, &cloud.velocity, k) - momentum(&solution.mass, &before, k);
+            let change = momentum(&solution.mass, &cloud.velocity, k) - momentum(&solution.mass, &before, k)
+                + length * solution.exchange[k];
             let size: f64 = solution.reaction.iter().map(|force| force[k].abs()).sum::<f64>() + weight.abs();
             let defect = change - length * (weight + reaction);
             assert!(defect.abs() <= 1e-12 * length * size, "{k}: {defect:e} of {size:e}");

@@ -1,5 +1,6 @@
 mod bits;
 mod compressible;
+mod energy;
 mod free_fall;
 mod ledger;
 mod plastic;

@@ -57,7 +57,7 @@ impl Wave {
         let start = volume(&cloud);
         let mut series = vec![self.coefficient(&cloud)];
         let forces = Forces { gravity: [0.0, -gravity], grains: None };
-        advance(&mut flow(fluid, 1e-6), &mut cloud, &walls, &forces, length, 0..steps, |cloud, _| {
+        advance(&mut flow(fluid, 1e-7), &mut cloud, &walls, &forces, length, 0..steps, |cloud, _| {
             series.push(self.coefficient(cloud));
             let change = volume(cloud) / start - 1.0;
             assert!(change.abs() <= 1e-8, "{change:e}");

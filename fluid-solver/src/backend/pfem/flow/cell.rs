@@ -111,6 +111,40 @@ impl<const D: usize, const N: usize> Cell<D, N> {
         }
     }
 
+    /// τ(e + ∇p) (m/s), e being the residual of momentum at the corners but for its stresses (N/m³): the velocity with which the
+    /// nodes drift through the fluid where its volume rows are met.
+    fn drift(&self, p: &[f64; N], e: &[Vector<D>; N]) -> Vector<D> {
+        std::array::from_fn(|k| {
+            let mean = e.iter().map(|e| e[k]).sum::<f64>() / N as f64;
+            let slope: f64 = p.iter().zip(&self.areas).map(|(p, a)| p * a[k]).sum();
+            self.relaxation * (self.fullness * mean + self.inverse * slope)
+        })
+    }
+
+    /// What the fluid that goes over between the nodes brings to their momentum beside their own velocity (N):
+    /// ½ Σ_j ṁ_ij (v_i − v_j), ṁ_ij = −ρ(a_i − a_j)·w/N from j to i, w the drift.
+    ///
+    /// The volume rows give the node i −Σ a_i·w of volume. With the velocity half of whence it comes and half of whither it
+    /// goes, Σ m_i v_i and Σ ½ m_i |v_i|² are kept.
+    pub fn exchange(
+        &self,
+        density: f64,
+        v: &[Vector<D>; N],
+        p: &[f64; N],
+        e: &[Vector<D>; N],
+    ) -> [Vector<D>; N] {
+        let drift = self.drift(p, e);
+        let passing = self.areas.map(|a| dot(&a, &drift));
+        std::array::from_fn(|i| {
+            let mut force = [0.0; D];
+            for j in 0..N {
+                let rate = -density * (passing[i] - passing[j]) / N as f64;
+                (0..D).for_each(|k| force[k] += 0.5 * rate * (v[i][k] - v[j][k]));
+            }
+            force
+        })
+    }
+
     /// The forces ∫(τ − p I)∇N_i (N) and the volume rows ∫N_i∇·v + τ∇N_i·(e + ∇p) (m³/s), e being the residual of
     /// momentum at the corners but for its stresses (N/m³).
     ///
@@ -134,17 +168,12 @@ impl<const D: usize, const N: usize> Cell<D, N> {
                 shear * (gradient[k][l] + gradient[l][k]) - isotropic
             })
         });
-        let mut excess = [0.0; D];
-        for k in 0..D {
-            let mean = share * e.iter().map(|e| e[k]).sum::<f64>();
-            let slope: f64 = p.iter().zip(&self.areas).map(|(p, a)| p * a[k]).sum();
-            excess[k] = self.relaxation * (self.fullness * mean + self.inverse * slope);
-        }
+        let drift = self.drift(p, e);
         // V det ∇v is the volume that v spans.
         let volume = share * (rate + curvature * volume_and_areas(v).0);
         (
             self.areas.map(|a| std::array::from_fn(|k| dot(&stress[k], &a))),
-            self.areas.map(|a| volume + dot(&a, &excess)),
+            self.areas.map(|a| volume + dot(&a, &drift)),
         )
     }
 }

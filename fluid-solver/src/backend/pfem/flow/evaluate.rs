@@ -38,8 +38,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         });
         let (momentum, volumes) = split_mut::<D>(&mut self.rows);
         let grains = start.suspended(&self.porous, self.implicitness);
-        let fields =
-            Fields { velocity, pressure, excess: &self.excess, bulk: 0.0, part: Part::Affine, grains };
+        let excess = &self.excess;
+        let fields = Fields { velocity, pressure, excess, density, bulk: 0.0, part: Part::Affine, grains };
         let curvature = if D == 3 { 0.25 * step.length * step.length } else { 0.0 };
         self.assembly.evaluate(topology, fields, curvature, momentum, volumes);
         self.friction.evaluate(&self.fluid, self.implicitness, velocity, &self.projected.velocity);

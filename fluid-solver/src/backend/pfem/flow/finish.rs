@@ -17,8 +17,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
 
     /// The velocity at the end, and what the walls did.
     ///
-    /// Σ m_i (v_{n+1} − v_n) = Δt Σ (forces + reactions) to round-off: what the solver left of the rows of free nodes,
-    /// their inner forces having no sum, is taken from all of them alike.
+    /// Σ m_i (v_{n+1} − v_n) = Δt (Σ (forces + reactions) − exchange) to round-off: what the solver left of the rows of free
+    /// nodes, their inner forces having no sum but that, is taken from all of them alike.
     pub(super) fn finish(
         &self,
         start: Start<'_, D, N>,
@@ -43,6 +43,13 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             left = moved(&left, mass[node] / step.length, &gained);
             left = moved(&left, -self.implicitness, &projected.blow[node]);
         }
+        let exchange = match forces.grains {
+            Some(_) => [0.0; D],
+            None => {
+                let fields = (&*velocity, &*pressure);
+                self.assembly.exchange(&cloud.cells, self.fluid.density, fields, &self.excess)
+            }
+        };
         let drift = left.map(|left| if resistance > 0.0 { left / resistance } else { 0.0 });
         let mut end_velocity = projected.velocity.clone();
         let mut reaction = vec![[0.0; D]; mass.len()];
@@ -84,6 +91,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             pressure,
             reaction,
             mass,
+            exchange,
             implicitness: self.implicitness,
             friction: self.friction.power(),
             iterations: progress.iterations,

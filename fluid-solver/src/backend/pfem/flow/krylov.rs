@@ -60,8 +60,8 @@ impl<const D: usize, const N: usize> StepOperator<'_, D, N> {
         let Scratch { assembly, excess } = &mut *self.scratch.borrow_mut();
         let inertia = self.inertia;
         for_each(excess, |node, e| *e = v[node].map(|v| inertia * v));
-        let fields =
-            Fields { velocity: v, pressure: p, excess, bulk, part: Part::Linear, grains: self.grains };
+        let (part, grains) = (Part::Linear, self.grains);
+        let fields = Fields { velocity: v, pressure: p, excess, density: 0.0, bulk, part, grains };
         assembly.evaluate(self.topology, fields, 0.0, momentum, volume);
         self.friction.add_change(v, momentum);
     }

@@ -40,6 +40,8 @@ pub struct Fields<'a, const D: usize, const N: usize> {
     pub pressure: &'a [f64],
     /// e = ρ(v − v_n)/(θΔt) − ρg: the residual of momentum but for the stresses (N/m³).
     pub excess: &'a [Vector<D>],
+    /// ρ (kg/m³); of no account where increments are mapped.
+    pub density: f64,
     /// bulk V^{2/D}∇·v (Pa) is added to the stress where increments are mapped (kg/(m³ s)): the K_v of segregated schemes.
     pub bulk: f64,
     /// Which part of the rows is meant.
@@ -136,7 +138,7 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         volume: &mut [f64],
     ) {
         let Self { cells, tangents, volumes, rows, .. } = self;
-        let Fields { velocity, pressure, excess, bulk, part, grains } = fields;
+        let Fields { velocity, pressure, excess, density, bulk, part, grains } = fields;
         for_each(rows, |index, rows| {
             let nodes = topology.cells()[index].map(|node| node as usize);
             let (cell, v) = (&cells[index], nodes.map(|node| velocity[node]));
@@ -146,8 +148,13 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
                     grains.cells[index].rows(cell, &corners, curvature)
                 }
                 None => {
-                    let p = nodes.map(|node| pressure[node]);
-                    cell.rows(&v, &p, &nodes.map(|node| excess[node]), curvature)
+                    let (p, e) = (nodes.map(|node| pressure[node]), nodes.map(|node| excess[node]));
+                    let mut rows = cell.rows(&v, &p, &e, curvature);
+                    if part == Part::Affine {
+                        let exchange = cell.exchange(density, &v, &p, &e);
+                        rows.0 = std::array::from_fn(|i| moved(&rows.0[i], 1.0, &exchange[i]));
+                    }
+                    rows
                 }
             };
             if part == Part::Affine {
@@ -174,6 +181,24 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
             }
         });
         sum_volumes(topology, rows, volume);
+    }
+
+    /// The sum of what all cells exchange between their corners (N), see [`Cell::exchange`].
+    pub fn exchange(
+        &self,
+        nodes: &[[u32; N]],
+        density: f64,
+        (velocity, pressure): (&[Vector<D>], &[f64]),
+        excess: &[Vector<D>],
+    ) -> Vector<D> {
+        let mut sum = [0.0; D];
+        for (cell, nodes) in self.cells.iter().zip(nodes) {
+            let nodes = nodes.map(|node| node as usize);
+            let (v, p) = (nodes.map(|node| velocity[node]), nodes.map(|node| pressure[node]));
+            let exchange = cell.exchange(density, &v, &p, &nodes.map(|node| excess[node]));
+            sum = exchange.iter().fold(sum, |sum, force| moved(&sum, 1.0, force));
+        }
+        sum
     }
 
     /// ∫N_i ∇·((ε + e)v) (m³/s), see [`Porous::divergence`].

@@ -73,6 +73,7 @@ impl<const D: usize, const N: usize> Flow<D, N> {
             velocity,
             pressure: blow_pressure,
             excess: &self.excess,
+            density: 0.0,
             bulk: 0.0,
             part: Part::Linear,
             grains: None,

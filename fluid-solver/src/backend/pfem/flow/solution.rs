@@ -6,7 +6,7 @@ use crate::backend::pfem::wall::Contacts;
 use crate::element::simplex::Vector;
 
 /// The solution of a step; one entry per node.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct FlowSolution<const D: usize> {
     /// v_m (m/s), of the middle.
     pub velocity: Vec<Vector<D>>,
@@ -20,6 +20,8 @@ pub struct FlowSolution<const D: usize> {
     pub reaction: Vec<Vector<D>>,
     /// ρV_i (kg), in the middle; 0 for drops.
     pub mass: Vec<f64>,
+    /// What the fluid that goes over between nodes brings to Σ m_i v_i beside Σ m_i (v_{n+1} − v_n)/Δt (N).
+    pub exchange: Vector<D>,
     /// Power (W) that the friction of walls turns into heat.
     pub friction: f64,
     /// θ that it was solved with.
