@@ -5,7 +5,7 @@ use crate::support::{G, WATER, add_drop, block, flow, tank, touch};
 use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::Renewal;
 use fluid_solver::backend::pfem::body::Body;
-use fluid_solver::backend::pfem::cloud::Cloud;
+use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
 use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, TargetSize, energy};
 use fluid_solver::backend::pfem::wall::{Grip, Shape, Wall, patches};
 use fluid_solver::element::simplex::volume_and_areas;
@@ -64,6 +64,27 @@ fn nodes_that_are_too_few_or_in_one_plane_are_drops_that_fly_on_without_pressure
         assert!(cloud.pressure.iter().all(|&p| p == 0.0));
         assert!(books.volume.missing().abs() <= 1e-15);
     }
+}
+
+#[test]
+fn behind_a_film_that_has_turned_over_nothing_is_fluid_up_to_the_next_surface() {
+    const H: f64 = 0.25;
+    let mut cloud: Cloud<3, 4> = block([1.0; 3], [4; 3], 0.0);
+    let volume = Books::start(&cloud).volume.target;
+    let first = cloud.place.len() as u32;
+    let film = [[3.0, 0.4, 0.4], [3.0, 0.7, 0.4], [3.0, 0.55, 0.7], [2.99, 0.55, 0.5]];
+    film.into_iter().for_each(|x| add_drop(&mut cloud, x, 0.0));
+    let mut cell = [0, 1, 2, 3].map(|node| first + node);
+    if volume_and_areas(&cloud.vertices(&cell)).0 < 0.0 {
+        cell.swap(0, 1);
+    }
+    cloud.cells.push(cell);
+    cloud.neighbours.push([OUTSIDE; 4]);
+    let mut books = Books::start(&cloud);
+    cloud.place[first as usize + 3][0] = 3.3;
+    let size = TargetSize::Constant(H);
+    SpaceRemesher::default().remesh(&mut cloud, &[], 0.0, &size, &mut books).unwrap();
+    assert!((books.volume.cells / volume - 1.0).abs() <= 2e-3, "{}", books.volume.cells);
 }
 
 #[test]

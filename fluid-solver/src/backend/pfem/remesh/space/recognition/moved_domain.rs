@@ -2,14 +2,14 @@
 //!
 //! Most faces of the surface are faces of the new cells too: these are fluid on one side of it and void on the other. A
 //! cell at no such face is fluid if it has an inner corner, else what the cells around it are. Only cells at what is missing
-//! of the surface, and those of which that is not enough to tell, are sampled; those about half of which is covered make up
-//! the volume.
+//! of the surface, long ones behind it, which may reach through a film to another surface, and those of which that is not
+//! enough to tell, are sampled; those about half of which is covered make up the volume.
 
 use super::super::super::draft::Draft;
 use super::super::surface::{OUTWARD, enclosed};
 use super::super::tetrahedra::Tetrahedra;
 use super::faces::Faces;
-use super::samples::covered;
+use super::samples::{covered, is_long};
 use super::stars::Stars;
 use crate::backend::pfem::cloud::Cloud;
 use delaunay::HULL;
@@ -71,7 +71,8 @@ impl MovedDomain {
         self.verdicts.clear();
         for corners in &tetrahedra.made.cells {
             let verdict = self.first_verdict(corners);
-            self.verdicts.push(verdict);
+            let reaches_over = verdict == Verdict::Fluid && is_long(cloud, draft, corners);
+            self.verdicts.push(if reaches_over { Verdict::Doubtful } else { verdict });
         }
         self.doubt_where_the_surface_is_missing(cloud, tetrahedra);
         self.ask_neighbours(cloud, tetrahedra);
