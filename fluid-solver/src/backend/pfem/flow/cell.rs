@@ -111,42 +111,19 @@ impl<const D: usize, const N: usize> Cell<D, N> {
         }
     }
 
-    /// τ(e + ∇p) (m/s), e being the residual of momentum at the corners but for its stresses (N/m³): the velocity with which the
-    /// nodes drift through the fluid where its volume rows are met.
-    fn drift(&self, p: &[f64; N], e: &[Vector<D>; N]) -> Vector<D> {
-        std::array::from_fn(|k| {
+    /// a_i·w (m³/s) with w = τ(e + ∇p), e being the residual of momentum at the corners but for its stresses (N/m³): the
+    /// volume that goes over from each corner to others where the volume rows are met.
+    pub fn passing(&self, p: &[f64; N], e: &[Vector<D>; N]) -> [f64; N] {
+        let drift: Vector<D> = std::array::from_fn(|k| {
             let mean = e.iter().map(|e| e[k]).sum::<f64>() / N as f64;
             let slope: f64 = p.iter().zip(&self.areas).map(|(p, a)| p * a[k]).sum();
             self.relaxation * (self.fullness * mean + self.inverse * slope)
-        })
+        });
+        self.areas.map(|a| dot(&a, &drift))
     }
 
-    /// What the fluid that goes over between the nodes brings to their momentum beside their own velocity (N):
-    /// ½ Σ_j ṁ_ij (v_i − v_j), ṁ_ij = −ρ(a_i − a_j)·w/N from j to i, w the drift.
-    ///
-    /// The volume rows give the node i −Σ a_i·w of volume. With the velocity half of whence it comes and half of whither it
-    /// goes, Σ m_i v_i and Σ ½ m_i |v_i|² are kept.
-    pub fn exchange(
-        &self,
-        density: f64,
-        v: &[Vector<D>; N],
-        p: &[f64; N],
-        e: &[Vector<D>; N],
-    ) -> [Vector<D>; N] {
-        let drift = self.drift(p, e);
-        let passing = self.areas.map(|a| dot(&a, &drift));
-        std::array::from_fn(|i| {
-            let mut force = [0.0; D];
-            for j in 0..N {
-                let rate = -density * (passing[i] - passing[j]) / N as f64;
-                (0..D).for_each(|k| force[k] += 0.5 * rate * (v[i][k] - v[j][k]));
-            }
-            force
-        })
-    }
-
-    /// The forces ∫(τ − p I)∇N_i (N) and the volume rows ∫N_i∇·v + τ∇N_i·(e + ∇p) (m³/s), e being the residual of
-    /// momentum at the corners but for its stresses (N/m³).
+    /// The forces ∫(τ − p I)∇N_i (N) and the volume rows ∫N_i∇·v + τ∇N_i·(e + ∇p) (m³/s), whose second part is
+    /// what passes.
     ///
     /// `curvature` times V det ∇v is added to the rate of volume, N_i sharing it: with Δt²/4 in space the sum is
     /// (V_{n+1} − V_n)/Δt itself.
@@ -154,7 +131,7 @@ impl<const D: usize, const N: usize> Cell<D, N> {
         &self,
         v: &[Vector<D>; N],
         p: &[f64; N],
-        e: &[Vector<D>; N],
+        passing: &[f64; N],
         curvature: f64,
     ) -> ([Vector<D>; N], [f64; N]) {
         let share = 1.0 / N as f64;
@@ -168,14 +145,30 @@ impl<const D: usize, const N: usize> Cell<D, N> {
                 shear * (gradient[k][l] + gradient[l][k]) - isotropic
             })
         });
-        let drift = self.drift(p, e);
         // V det ∇v is the volume that v spans.
         let volume = share * (rate + curvature * volume_and_areas(v).0);
         (
             self.areas.map(|a| std::array::from_fn(|k| dot(&stress[k], &a))),
-            self.areas.map(|a| volume + dot(&a, &drift)),
+            passing.map(|passing| volume + passing),
         )
     }
+}
+
+/// By how much the volume that passes brings less momentum to the corners than with their own velocities, per density
+/// (m⁴/s²): ½ Σ_j q_ij (v_i − v_j), q_ij = (q_j − q_i)/N from j to i, which is −½ (q_i (v_i − v̄) + Σ_j q_j v_j/N).
+///
+/// The corner i gains −q_i, and Σ q_i = 0. With the velocity half of whence it comes and half of whither it goes, Σ V_i v_i and
+/// Σ ½ V_i |v_i|² are kept.
+pub fn exchange<const D: usize, const N: usize>(passing: &[f64; N], v: &[Vector<D>; N]) -> [Vector<D>; N] {
+    let share = 0.5 / N as f64;
+    let (mut carried, mut mean) = ([0.0; D], [0.0; D]);
+    for (q, v) in passing.iter().zip(v) {
+        for k in 0..D {
+            carried[k] += share * q * v[k];
+            mean[k] += share * v[k];
+        }
+    }
+    std::array::from_fn(|i| std::array::from_fn(|k| passing[i] * (mean[k] - 0.5 * v[i][k]) - carried[k]))
 }
 
 /// A matrix by rows.
@@ -203,7 +196,7 @@ mod tests {
     fn a_rigid_motion_meets_no_stress_and_changes_no_volume() {
         let cell = Cell::new(&CORNERS, &[[0.0; 3]; 4], 2.0, &newtonian(3.0));
         let v = CORNERS.map(|x| [1.0 - 2.0 * x[1] + 0.5 * x[2], 3.0 + 2.0 * x[0] - x[2], x[1] - 0.5 * x[0]]);
-        let (forces, volumes) = cell.rows(&v, &[0.0; 4], &[[0.0; 3]; 4], 0.0);
+        let (forces, volumes) = cell.rows(&v, &[0.0; 4], &[0.0; 4], 0.0);
         assert!(forces.iter().flatten().chain(&volumes).all(|row| row.abs() < 1e-14), "{forces:?}");
     }
 
@@ -216,7 +209,7 @@ mod tests {
         };
         let (before, after) = (volume_and_areas(&at(0.0)).0, volume_and_areas(&at(1.0)).0);
         let middle = Cell::new(&at(0.5), &v, 1.0, &newtonian(0.0));
-        let (_, volumes) = middle.rows(&v, &[0.0; 4], &[[0.0; 3]; 4], 0.25 * length * length);
+        let (_, volumes) = middle.rows(&v, &[0.0; 4], &[0.0; 4], 0.25 * length * length);
         assert!((volumes.iter().sum::<f64>() - (after - before) / length).abs() < 1e-14);
     }
 
@@ -235,8 +228,22 @@ mod tests {
             corners[3] = [0.8, 0.7, 0.3 + height];
             let cell = Cell::new(&corners, &[[0.0; 3]; 4], 2.0, &newtonian(3.0));
             let pressure = corners.map(|x| dot(&x, &slope) + 7.0);
-            let (_, volumes) = cell.rows(&[[0.0; 3]; 4], &pressure, &[slope.map(|s| -s); 4], 0.0);
-            assert!(volumes.iter().all(|row| row.abs() < 1e-14), "{volumes:?}");
+            let passing = cell.passing(&pressure, &[slope.map(|s| -s); 4]);
+            assert!(passing.iter().all(|passing| passing.abs() < 1e-14), "{passing:?}");
         }
+    }
+
+    #[test]
+    fn what_passes_between_corners_keeps_momentum_and_energy() {
+        let v = [[0.3, -0.1, 0.2], [-0.4, 0.2, 0.1], [0.5, 0.6, -0.7], [-0.2, 0.3, 0.9]];
+        let cell = Cell::new(&CORNERS, &v, 2.0, &newtonian(3.0));
+        let passing = cell.passing(&[3.0, -1.0, 4.0, 2.0], &v);
+        let gained = exchange(&passing, &v);
+        for k in 0..3 {
+            let momentum: f64 = (0..4).map(|i| gained[i][k] + passing[i] * v[i][k]).sum();
+            assert!(momentum.abs() < 1e-15, "{momentum:e}");
+        }
+        let energy: f64 = (0..4).map(|i| dot(&gained[i], &v[i]) + 0.5 * passing[i] * dot(&v[i], &v[i])).sum();
+        assert!(energy.abs() < 1e-15, "{energy:e}");
     }
 }

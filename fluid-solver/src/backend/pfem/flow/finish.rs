@@ -46,8 +46,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
         let exchange = match forces.grains {
             Some(_) => [0.0; D],
             None => {
-                let fields = (&*velocity, &*pressure);
-                self.assembly.exchange(&cloud.cells, self.fluid.density, fields, &self.excess)
+                let exchange = self.assembly.exchange(&cloud.cells, &velocity, &pressure, &self.excess);
+                exchange.map(|exchange| self.fluid.density * exchange)
             }
         };
         let drift = left.map(|left| if resistance > 0.0 { left / resistance } else { 0.0 });

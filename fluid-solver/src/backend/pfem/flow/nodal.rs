@@ -1,6 +1,6 @@
 //! All rows of the system, summed by node from the cells around it.
 
-use super::cell::Cell;
+use super::cell::{Cell, exchange};
 use super::chunks::for_each;
 use super::contact::moved;
 use super::porous::Porous;
@@ -149,10 +149,11 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
                 }
                 None => {
                     let (p, e) = (nodes.map(|node| pressure[node]), nodes.map(|node| excess[node]));
-                    let mut rows = cell.rows(&v, &p, &e, curvature);
+                    let passing = cell.passing(&p, &e);
+                    let mut rows = cell.rows(&v, &p, &passing, curvature);
                     if part == Part::Affine {
-                        let exchange = cell.exchange(density, &v, &p, &e);
-                        rows.0 = std::array::from_fn(|i| moved(&rows.0[i], 1.0, &exchange[i]));
+                        let exchange = exchange(&passing, &v);
+                        rows.0 = std::array::from_fn(|i| moved(&rows.0[i], density, &exchange[i]));
                     }
                     rows
                 }
@@ -183,20 +184,21 @@ impl<const D: usize, const N: usize> Assembly<D, N> {
         sum_volumes(topology, rows, volume);
     }
 
-    /// The sum of what all cells exchange between their corners (N), see [`Cell::exchange`].
+    /// The sum of [`exchange`] over all corners, −Σ q_i v_i (m⁴/s²).
     pub fn exchange(
         &self,
         nodes: &[[u32; N]],
-        density: f64,
-        (velocity, pressure): (&[Vector<D>], &[f64]),
+        velocity: &[Vector<D>],
+        pressure: &[f64],
         excess: &[Vector<D>],
     ) -> Vector<D> {
         let mut sum = [0.0; D];
         for (cell, nodes) in self.cells.iter().zip(nodes) {
             let nodes = nodes.map(|node| node as usize);
-            let (v, p) = (nodes.map(|node| velocity[node]), nodes.map(|node| pressure[node]));
-            let exchange = cell.exchange(density, &v, &p, &nodes.map(|node| excess[node]));
-            sum = exchange.iter().fold(sum, |sum, force| moved(&sum, 1.0, force));
+            let passing = cell.passing(&nodes.map(|node| pressure[node]), &nodes.map(|node| excess[node]));
+            for (node, passing) in nodes.into_iter().zip(passing) {
+                sum = moved(&sum, -passing, &velocity[node]);
+            }
         }
         sum
     }
