@@ -82,8 +82,7 @@ pub struct Energy<const D: usize> {
 pub struct EnergyBooks<const D: usize> {
     /// Change of Σ ½ V_i |v_i|².
     pub kinetic: Account,
-    /// Of it what was taken from the relative motion of nodes: what remeshing would otherwise have given in all, and of
-    /// kinetic energy after events.
+    /// Of it what was taken from the relative motion of nodes: what remeshing would otherwise have given in all.
     pub limiter: Account,
     /// Change of ∫ x dV.
     pub moment: [Account; D],

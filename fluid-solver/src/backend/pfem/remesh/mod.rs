@@ -145,8 +145,7 @@ impl Remesher<2, 3> {
         books.volume.cells = volumes(cloud, &mut self.node_volumes);
         transfer::keep_momentum(cloud, &self.draft.mass, momentum, &self.node_volumes);
         let volumes = (&*self.draft.mass, &*self.node_volumes);
-        let before = (&energy_before, events.impact());
-        transfer::keep_energy(cloud, volumes, before, &self.acceleration, &mut books.energy);
+        transfer::keep_energy(cloud, volumes, &energy_before, &self.acceleration, &mut books.energy);
         books.volume.drops = cloud.drop.iter().sum();
         self.spent.transfer += clock.lap();
         Ok(events)

@@ -41,41 +41,32 @@ pub fn keep_momentum<const D: usize, const N: usize>(
     }
 }
 
-/// Takes what remeshing would give of energy in all since the start, as other cells between the same nodes do, and volume that
-/// is lost below and restored above: from all nodes, as the whole surface was shifted. Kinetic energy may not grow in an
-/// impact, whatever was lost before: what volume gained there brought with it goes from the nodes whose volume changed.
+/// Takes what remeshing would give of energy in all since the start, as other cells between the same nodes do, volume gained in
+/// a blow, and volume that is lost below and restored above: from all nodes, as the whole surface was shifted.
 ///
 /// `before` is the energy before the remeshing, `mass` and `volumes` as in [`keep_momentum`].
 pub fn keep_energy<const D: usize, const N: usize>(
     cloud: &mut Cloud<D, N>,
     (mass, volumes): (&[f64], &[f64]),
-    (before, impact): (&Energy<D>, bool),
+    before: &Energy<D>,
     acceleration: &Vector<D>,
     books: &mut EnergyBooks<D>,
 ) {
-    let mut taken = 0.0;
     // Bare nodes had no energy that there could be more of.
     if mass.iter().any(|mass| *mass > 0.0) {
-        if impact {
-            let surplus = Energy::of(cloud, volumes).kinetic - before.kinetic;
-            taken += take_surplus(cloud, volumes, surplus, |node| has_changed(mass, volumes, node));
-        }
         let gained = Energy::of(cloud, volumes).total(acceleration) - before.total(acceleration);
         let surplus = gained + books.given(acceleration).min(0.0);
-        taken += take_surplus(cloud, volumes, surplus, |_| true);
+        books.limiter.add(-take_surplus(cloud, volumes, surplus));
     }
-    books.limiter.add(-taken);
     books.add(before, &Energy::of(cloud, volumes));
 }
 
-/// Takes a surplus of Σ ½ V_i |v_i|²: chosen nodes of the mesh that touch no wall lose relative velocity,
-/// (v − v̄) → s (v − v̄) with s² = 1 − surplus/Σ ½ m |v − v̄|² ≥ 0, and keep their momentum. Drops fly on as they do. Returns
-/// what was taken.
+/// Takes a surplus of Σ ½ V_i |v_i|²: the nodes of the mesh that touch no wall lose relative velocity, (v − v̄) → s (v − v̄) with
+/// s² = 1 − surplus/Σ ½ m |v − v̄|² ≥ 0, and keep their momentum. Drops fly on as they do. Returns what was taken.
 fn take_surplus<const D: usize, const N: usize>(
     cloud: &mut Cloud<D, N>,
     volumes: &[f64],
     surplus: f64,
-    chosen: impl Fn(usize) -> bool,
 ) -> f64 {
     if surplus <= 0.0 {
         return 0.0;
@@ -83,7 +74,7 @@ fn take_surplus<const D: usize, const N: usize>(
     let Cloud { contacts, velocity, drop, .. } = cloud;
     let weight = |node: usize| {
         let free = contacts[node].is_empty() && drop[node] == 0.0;
-        if free && chosen(node) { volumes[node] } else { 0.0 }
+        if free { volumes[node] } else { 0.0 }
     };
     let (mut sum, mut mean) = (0.0, [0.0; D]);
     for (node, v) in velocity.iter().enumerate() {

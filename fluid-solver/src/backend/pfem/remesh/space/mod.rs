@@ -114,8 +114,7 @@ impl Renewal<3, 4> for SpaceRemesher {
         }
         transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);
         let volumes = (&*draft.mass, &**node_volumes);
-        let before = (&energy_before, events.impact());
-        transfer::keep_energy(cloud, volumes, before, &self.acceleration, &mut books.energy);
+        transfer::keep_energy(cloud, volumes, &energy_before, &self.acceleration, &mut books.energy);
         cloud.relieve_drops();
         spent.transfer += clock.lap();
         Ok(events)
