@@ -34,11 +34,6 @@ pub struct Events {
 }
 
 impl Events {
-    /// Whether fluid met fluid: its velocity is not free of divergence then.
-    pub fn impact(&self) -> bool {
-        self.closed > 0 || self.filled > 0 || self.landed > 0 || self.crossed || self.absorbed > 0
-    }
-
     /// These and others.
     pub fn and(self, other: Self) -> Self {
         Self {
