@@ -1,6 +1,7 @@
 //! A probe: a point of the fluid, or the face of a gauge that reads means.
 
 use crate::backend::{FluidBackend, PointValue};
+use crate::element::simplex::cross;
 use case_io::document::{GaugeFace, Probe, unit_vector};
 
 /// Points that stand for a disc, of equal shares.
@@ -63,10 +64,6 @@ fn points(centre: &[f64; 3], face: &GaugeFace) -> Vec<[f64; 3]> {
         std::array::from_fn(|k| centre[k] + reach * (cos * first[k] + sin * second[k]))
     };
     (0..POINTS).map(point).collect()
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

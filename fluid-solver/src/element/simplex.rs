@@ -12,6 +12,11 @@ pub fn dot<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> f64 {
     (0..D).map(|k| a[k] * b[k]).sum()
 }
 
+/// `a × b`.
+pub fn cross(a: &Vector<3>, b: &Vector<3>) -> Vector<3> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 /// `a - b`.
 pub fn difference<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> Vector<D> {
     std::array::from_fn(|k| a[k] - b[k])

@@ -1,7 +1,7 @@
 //! The grains on the mesh: weights, volumes, and the rows they sample.
 
 use super::exchange::{Exchange, Reaction};
-use super::placing::Placing;
+use super::placing::{Placing, ball_volume};
 use super::recovery::{Recovered, gradient_changes};
 use crate::deposit::Deposit;
 use crate::element::simplex::{Vector, in_space};
@@ -10,7 +10,6 @@ use crate::mesh::Mesh;
 use crate::sample::sample;
 use crate::void_fraction::{Grain, VoidFractionError, own_share, void_fraction};
 use interface::frames::{GrainRow, ReactionRow, SampleRow};
-use std::f64::consts::PI;
 
 /// Void fractions below this are refused: discs in contact leave 0.093, spheres more, and kernels see beds up to 8 % denser.
 const SMALLEST_VOID_FRACTION: f64 = 0.02;
@@ -101,10 +100,8 @@ impl<const D: usize> GrainsOnMesh<D> {
         let weights = self.exchange.weights_mut();
         placing.place(mesh, &self.grains, weights, &mut self.wetted)?;
         self.volumes.clear();
-        self.volumes.extend(rows.iter().zip(&self.wetted).map(|(row, wetted)| match D {
-            2 => wetted * (PI * row.radius.powi(2)),
-            _ => wetted * (4.0 / 3.0 * PI * row.radius.powi(3)),
-        }));
+        self.volumes
+            .extend(rows.iter().zip(&self.wetted).map(|(row, wetted)| wetted * ball_volume::<D>(row.radius)));
         let (volumes, measure) = (&self.volumes, mesh.measure());
         self.void_fraction.resize(measure.len(), 1.0);
         let fields = &mut self.void_fraction;

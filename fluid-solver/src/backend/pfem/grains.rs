@@ -2,7 +2,7 @@
 
 use super::cloud::{Cloud, OUTSIDE};
 use super::flow::{Fluid, viscosity};
-use super::remesh::{transfer, volumes};
+use super::remesh::{transfer, volumes_between_grains};
 use crate::backend::{Response, Step};
 use crate::element::simplex::{Vector, dot, in_space};
 use crate::error::FluidError;
@@ -181,24 +181,18 @@ impl<const D: usize, const N: usize> GrainsInCloud<D, N> {
     pub fn momentum(&self, cloud: &Cloud<D, N>) -> Option<Vector<D>> {
         // Where drops have left, others have their numbers.
         let is_of = !self.rows.is_empty() && self.void_fraction().len() == cloud.place.len();
-        is_of.then(|| transfer::momentum(&self.fluid_volumes(cloud), &cloud.velocity))
+        is_of.then(|| {
+            transfer::momentum(&volumes_between_grains(cloud, self.void_fraction()), &cloud.velocity)
+        })
     }
 
     /// Gives what the fluid has less than this momentum to the nodes that touch no wall, as one velocity for all of them.
     pub fn keep_momentum(&mut self, cloud: &mut Cloud<D, N>, momentum: Option<Vector<D>>) {
         if let Some(momentum) = momentum {
-            let volumes = self.fluid_volumes(cloud);
+            let volumes = volumes_between_grains(cloud, self.void_fraction());
             transfer::keep_momentum(cloud, &volumes, momentum, &volumes);
             self.forget(cloud);
         }
-    }
-
-    /// ε_a |N_a| (m³; m² in 2D).
-    fn fluid_volumes(&self, cloud: &Cloud<D, N>) -> Vec<f64> {
-        let mut nodes = Vec::new();
-        volumes(cloud, &mut nodes);
-        nodes.iter_mut().zip(self.void_fraction()).for_each(|(volume, void)| *volume *= void);
-        nodes
     }
 
     /// Goes back to the start of the window: as if no iterate had been felt.

@@ -4,7 +4,7 @@ use super::backend::Setting;
 use super::cloud::Cloud;
 use super::flow::Residuals;
 use super::grains::GrainsInCloud;
-use super::remesh::volumes;
+use super::remesh::volumes_between_grains;
 use super::state::State;
 use crate::element::simplex::{Vector, dot};
 use crate::error::FluidError;
@@ -58,9 +58,7 @@ pub fn statistics<const D: usize, const N: usize>(
         [["x-min[m]", "x-max[m]"], ["y-min[m]", "y-max[m]"], ["z-min[m]", "z-max[m]"]];
     let (cloud, depth) = (&state.cloud, setting.depth);
     let mut found = audits(state, setting, grains);
-    let mut mass = Vec::new();
-    volumes(cloud, &mut mass);
-    mass.iter_mut().zip(grains.void_fraction()).for_each(|(mass, void)| *mass *= void);
+    let mass = volumes_between_grains(cloud, grains.void_fraction());
     let momentum = |k: usize| mass.iter().zip(&cloud.velocity).map(|(mass, v)| mass * v[k]).sum::<f64>();
     found.extend((0..D).map(|k| (MOMENTUM[k], depth * setting.density * momentum(k))));
     const ENTERED: [&str; 3] =

@@ -2,7 +2,7 @@
 
 use super::cloud::Cloud;
 use super::gate::Passed;
-use super::remesh::{Books, Events, energy_between_grains};
+use super::remesh::{Books, Energy, Events, volumes_between_grains};
 use crate::element::simplex::Vector;
 
 /// The cloud, its books, and what was counted.
@@ -83,7 +83,7 @@ impl<const D: usize, const N: usize> State<D, N> {
 
     /// ∫½ρε|v|² dV and −∫ρεg·x dV, drops included (J; per m of depth in 2D).
     pub fn energies(&self, density: f64, acceleration: &Vector<D>, void_fraction: &[f64]) -> (f64, f64) {
-        let energy = energy_between_grains(&self.cloud, void_fraction);
+        let energy = Energy::of(&self.cloud, &volumes_between_grains(&self.cloud, void_fraction));
         let potential: f64 = (0..D).map(|k| -acceleration[k] * energy.moment[k]).sum();
         (density * energy.kinetic, density * potential)
     }

@@ -2,7 +2,7 @@
 
 use super::Placing;
 use super::spread::{Spread, Spreading};
-use super::wetted::{cut_off, volume};
+use super::wetted::{ball_volume, cut_off};
 use crate::element::simplex::{Vector, barycentric};
 use crate::mesh::Mesh;
 use crate::mesh::locate::Locator;
@@ -98,7 +98,7 @@ impl<const D: usize> FreeSurface<D> {
         let inside = within.is_some() || near.is_some_and(|near| !near.is_surface);
         let corners = |face: u32| mesh.face_vertices(&mesh.boundary()[face as usize]);
         let taken: f64 = facets.iter().map(|&face| cut_off(x, radius, &corners(face), inside)).sum();
-        let wetted = (f64::from(u8::from(inside)) - taken / volume::<D>(radius)).clamp(0.0, 1.0);
+        let wetted = (f64::from(u8::from(inside)) - taken / ball_volume::<D>(radius)).clamp(0.0, 1.0);
         (wetted > 0.0).then_some(Immersion { wetted, size })
     }
 }

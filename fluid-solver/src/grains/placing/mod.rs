@@ -8,6 +8,7 @@ mod wetted;
 pub use fixed_mesh::FixedMesh;
 pub use free_surface::{FREE_SURFACE, FreeSurface};
 pub use spread::Spreading;
+pub use wetted::ball_volume;
 
 use crate::mesh::Mesh;
 use crate::void_fraction::{Grain, VoidFractionError, Weights};

@@ -1,13 +1,13 @@
 //! How much of a grain is in the fluid.
 
-use crate::element::simplex::{Vector, difference, dot, in_space};
+use crate::element::simplex::{Vector, cross, difference, dot, in_space};
 use std::f64::consts::PI;
 
 /// A centre nearer to the plane of a facet than this share of the radius is on the side that it is said to be on.
 const IN_PLANE: f64 = 1e-6;
 
 /// Volume of a ball (2D: area of a disc) of a radius (m).
-pub fn volume<const D: usize>(radius: f64) -> f64 {
+pub fn ball_volume<const D: usize>(radius: f64) -> f64 {
     match D {
         2 => PI * radius.powi(2),
         _ => 4.0 / 3.0 * PI * radius.powi(3),
@@ -71,10 +71,6 @@ fn seen_over_side(p: [f64; 2], q: [f64; 2], reach: f64, away: f64) -> (f64, f64)
     (off.signum() * area, off.signum() * solid)
 }
 
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 fn unit(a: &[f64; 3]) -> [f64; 3] {
     let length = dot(a, a).sqrt();
     a.map(|component| component / length)
@@ -106,7 +102,7 @@ mod tests {
                 })
                 .sum()
         };
-        (if inside { 1.0 } else { 0.0 }) - taken / volume::<D>(1.0)
+        (if inside { 1.0 } else { 0.0 }) - taken / ball_volume::<D>(1.0)
     }
 
     #[test]
@@ -130,7 +126,7 @@ mod tests {
         for (x, radius) in [([0.2, 0.2, 0.2], 0.3), ([0.4, 0.1, -0.1], 0.4), ([0.1, 0.15, 0.2], 5.0)] {
             let inside = x.iter().all(|&c| c > 0.0);
             let taken: f64 = faces.iter().map(|face| cut_off(&x, radius, face, inside)).sum();
-            let kept = if inside { volume::<3>(radius) } else { 0.0 } - taken;
+            let kept = if inside { ball_volume::<3>(radius) } else { 0.0 } - taken;
             const POINTS: i32 = 100;
             let place = |i: i32| (f64::from(i) + 0.5) / f64::from(POINTS);
             let mut count = 0;

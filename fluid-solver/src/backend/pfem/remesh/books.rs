@@ -162,15 +162,15 @@ impl<const D: usize> Energy<D> {
     }
 }
 
-/// Energy of the fluid between grains: of the share ε of the volume of each node.
-pub fn energy_between_grains<const D: usize, const N: usize>(
+/// The volume of fluid between grains at each node, ε_i V_i (m³; m² in 2D).
+pub fn volumes_between_grains<const D: usize, const N: usize>(
     cloud: &Cloud<D, N>,
     void_fraction: &[f64],
-) -> Energy<D> {
+) -> Vec<f64> {
     let mut nodes = Vec::new();
     volumes(cloud, &mut nodes);
     nodes.iter_mut().zip(void_fraction).for_each(|(volume, void)| *volume *= void);
-    Energy::of(cloud, &nodes)
+    nodes
 }
 
 /// Energy of the cells and of the drops.

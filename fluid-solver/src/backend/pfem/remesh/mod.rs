@@ -18,7 +18,7 @@ mod topology;
 pub(super) mod transfer;
 
 pub use books::{
-    Account, Books, Energy, EnergyBooks, VolumeBooks, energy, energy_between_grains, volume, volumes,
+    Account, Books, Energy, EnergyBooks, VolumeBooks, energy, volume, volumes, volumes_between_grains,
 };
 pub use grading::{Grading, Near, Source};
 pub use recognition::Recognition;

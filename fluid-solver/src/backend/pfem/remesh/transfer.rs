@@ -52,13 +52,15 @@ pub fn keep_energy<const D: usize, const N: usize>(
     acceleration: &Vector<D>,
     books: &mut EnergyBooks<D>,
 ) {
+    let mut after = Energy::of(cloud, volumes);
+    let gained = after.total(acceleration) - before.total(acceleration);
+    let surplus = gained + books.given(acceleration).min(0.0);
     // Bare nodes had no energy that there could be more of.
-    if mass.iter().any(|mass| *mass > 0.0) {
-        let gained = Energy::of(cloud, volumes).total(acceleration) - before.total(acceleration);
-        let surplus = gained + books.given(acceleration).min(0.0);
+    if surplus > 0.0 && mass.iter().any(|mass| *mass > 0.0) {
         books.limiter.add(-take_surplus(cloud, volumes, surplus));
+        after = Energy::of(cloud, volumes);
     }
-    books.add(before, &Energy::of(cloud, volumes));
+    books.add(before, &after);
 }
 
 /// Takes a surplus of Σ ½ V_i |v_i|²: the nodes of the mesh that touch no wall lose relative velocity, (v − v̄) → s (v − v̄) with
@@ -68,9 +70,6 @@ fn take_surplus<const D: usize, const N: usize>(
     volumes: &[f64],
     surplus: f64,
 ) -> f64 {
-    if surplus <= 0.0 {
-        return 0.0;
-    }
     let Cloud { contacts, velocity, drop, .. } = cloud;
     let weight = |node: usize| {
         let free = contacts[node].is_empty() && drop[node] == 0.0;

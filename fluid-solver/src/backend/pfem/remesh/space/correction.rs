@@ -3,10 +3,9 @@
 use super::super::correction::LARGEST;
 use super::super::draft::Draft;
 use super::freedom::along_walls;
-use super::surface::cross;
 use crate::backend::pfem::cloud::Cloud;
 use crate::backend::pfem::wall::Wall;
-use crate::element::simplex::{Vector, difference, dot};
+use crate::element::simplex::{Vector, cross, difference, dot};
 
 /// Share of what is missing that one step restores: more than in the plane. The rim of a jet that plunges in space gains in
 /// nearly every step, and what a step gains stands for 1/RATE steps.

@@ -1,8 +1,7 @@
 //! Where a node may go that touches walls.
 
-use super::surface::cross;
 use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
-use crate::element::simplex::{Vector, dot};
+use crate::element::simplex::{Vector, cross, dot};
 
 /// The part of a vector along all walls that a node touches; a node in an inlet stays.
 pub fn along_walls(

@@ -4,10 +4,10 @@ use super::super::draft::Draft;
 use super::super::management::{CLOSEST, CLOSEST_TO_SURFACE, SHORTEST};
 use super::fans::Fans;
 use super::freedom::{along_walls, behind, onto_walls};
-use super::surface::{Edits, cross};
+use super::surface::Edits;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
 use crate::backend::pfem::wall::{Contacts, Wall, inlet_of};
-use crate::element::simplex::{Vector, difference, distance, dot, volume_and_areas};
+use crate::element::simplex::{Vector, cross, difference, distance, dot, volume_and_areas};
 
 /// Management of nodes; all of it is scratch.
 #[derive(Default)]

@@ -30,7 +30,7 @@ use patches::Patches;
 use recognition::Recogniser;
 use tetrahedra::Tetrahedra;
 
-/// A cover counted twice, or a gap closed, larger than this share of h³ is a blow of fluid on fluid.
+/// A gap that closed is told of where it is larger than this share of h³.
 const BLOW: f64 = 0.1;
 
 /// Finds the mesh of moved nodes in space; all but the rule and what was spent is scratch.
@@ -109,7 +109,6 @@ impl Renewal<3, 4> for SpaceRemesher {
             let overlap = managed + settled - book.cells;
             book.overlap.add(-overlap);
             let smallest = draft.size.iter().copied().fold(f64::INFINITY, f64::min);
-            events.crossed = overlap > BLOW * smallest.powi(3);
             events.closed = u32::from(overlap < -BLOW * smallest.powi(3));
         }
         transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);

@@ -2,7 +2,7 @@
 
 use super::super::draft::{Draft, NONE};
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
-use crate::element::simplex::{difference, dot};
+use crate::element::simplex::{cross, difference, dot};
 
 /// Corners of the face opposite to each corner, turning left seen from outside.
 pub const OUTWARD: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
@@ -29,11 +29,6 @@ pub fn enclosed(cloud: &Cloud<3, 4>, draft: &Draft<3>) -> f64 {
         dot(&cross(&a, &b), &c)
     };
     draft.edges.iter().map(sixfold).sum::<f64>() / 6.0
-}
-
-/// a × b.
-pub fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Nodes of the surface that became one, and edges of it that got a node.

@@ -1,9 +1,8 @@
 //! Cells that still are as good as new ones stay, lest a mesh at rest flickers.
 
 use super::super::draft::Draft;
-use super::surface::cross;
 use crate::backend::pfem::cloud::{Cloud, OUTSIDE};
-use crate::element::simplex::{Vector, difference, dot, volume_and_areas};
+use crate::element::simplex::{Vector, cross, difference, dot, volume_and_areas};
 
 /// How far inside a sphere a point counts as on it, as a share of the fifth power of the distance.
 const ROUNDOFF: f64 = 1e-9;
