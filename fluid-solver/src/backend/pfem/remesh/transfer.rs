@@ -2,7 +2,7 @@
 
 use super::books::{Energy, EnergyBooks};
 use crate::backend::pfem::cloud::Cloud;
-use crate::backend::pfem::wall::Wall;
+use crate::backend::pfem::wall::{Wall, inlet_of};
 use crate::element::simplex::{Vector, difference, dot};
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ pub fn momentum<const D: usize>(volumes: &[f64], velocity: &[Vector<D>]) -> Vect
     sum
 }
 
-/// Gives nodes that grew more than tenfold the velocity of what they got: v_i → (m_i v_i + (V_i − m_i) v̄)/V_i, along their
+/// Gives nodes off inlets that grew more than tenfold the velocity of what they got: v_i → (m_i v_i + (V_i − m_i) v̄)/V_i, along their
 /// walls, v̄ being that of the other corners of their cells, by the mass that these had. A node of next to no mass, which any
 /// blow makes fast, would have its speed with all that it got.
 ///
@@ -31,7 +31,9 @@ pub fn mix<const D: usize, const N: usize>(
     walls: &[Wall<D>],
     time: f64,
 ) {
-    let has_grown = |node: &usize| mass[*node] > 0.0 && volumes[*node] > GROWN * mass[*node];
+    let is_free = |node: usize| inlet_of(walls, cloud.contacts[node]).is_none();
+    let has_grown =
+        |node: &usize| mass[*node] > 0.0 && volumes[*node] > GROWN * mass[*node] && is_free(*node);
     let mut grown: BTreeMap<usize, (f64, Vector<D>)> =
         (0..mass.len()).filter(has_grown).map(|node| (node, (0.0, [0.0; D]))).collect();
     if grown.is_empty() {
