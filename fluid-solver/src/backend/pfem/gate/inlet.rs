@@ -62,8 +62,8 @@ pub fn put_back<const D: usize, const N: usize>(
     }
 }
 
-/// Nodes that run along a wall into an inlet in it are in the inlet from then on: what comes in takes them along.
-pub fn take_in<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, walls: &[Wall<D>]) {
+/// Nodes that run along a wall into an inlet in it are in the inlet from then on, with its velocity: what comes in takes them along.
+pub fn take_in<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, walls: &[Wall<D>], time: f64) {
     for (index, wall) in walls.iter().enumerate() {
         let Some(inflow) = &wall.inflow else { continue };
         for (node, x) in cloud.place.iter().enumerate().filter(|(node, _)| cloud.drop[*node] == 0.0) {
@@ -71,6 +71,9 @@ pub fn take_in<const D: usize, const N: usize>(cloud: &mut Cloud<D, N>, walls: &
             let runs_along_wall = !contacts.is_empty() && inlet_of(walls, *contacts).is_none();
             if runs_along_wall && inflow.holds(x) {
                 contacts.insert(index);
+                if let Some(given) = inlet_velocity(walls, *contacts, x, time) {
+                    cloud.velocity[node] = given;
+                }
             }
         }
     }

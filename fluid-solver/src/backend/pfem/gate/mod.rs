@@ -51,7 +51,7 @@ impl<const D: usize> Gates<D> {
         solution.advance(cloud, step);
         let moved = Amount::of(cloud, acceleration);
         inlet::put_back(cloud, walls, &self.before);
-        inlet::take_in(cloud, walls);
+        inlet::take_in(cloud, walls, step.end());
         let filled = Amount::of(cloud, acceleration);
         for outlet in &self.outlets {
             // Drops that leave are taken out with their places.

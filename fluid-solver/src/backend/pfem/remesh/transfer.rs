@@ -2,6 +2,7 @@
 
 use super::books::{Energy, EnergyBooks};
 use crate::backend::pfem::cloud::Cloud;
+use crate::backend::pfem::flow::Constraint;
 use crate::backend::pfem::wall::{Wall, inlet_of};
 use crate::element::simplex::{Vector, difference, dot};
 use std::collections::BTreeMap;
@@ -51,13 +52,12 @@ pub fn mix<const D: usize, const N: usize>(
     }
     for (node, (sum, momentum)) in grown.into_iter().filter(|(_, (sum, _))| *sum > 0.0) {
         let share = 1.0 - mass[node] / volumes[node];
-        let mut change: Vector<D> = std::array::from_fn(|k| share * (momentum[k] / sum - velocity[node][k]));
+        let mut held = Constraint::FREE;
         for wall in contacts[node].iter() {
-            let normal = walls[wall].touch(&place[node], time).normal;
-            let into = dot(&change, &normal);
-            change = std::array::from_fn(|k| change[k] - into * normal[k]);
+            held.add(&walls[wall].touch(&place[node], time).normal, 0.0);
         }
-        velocity[node] = std::array::from_fn(|k| velocity[node][k] + change[k]);
+        let change = held.free(&std::array::from_fn(|k| share * (momentum[k] / sum - velocity[node][k])));
+        (0..D).for_each(|k| velocity[node][k] += change[k]);
     }
 }
 
