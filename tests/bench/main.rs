@@ -62,3 +62,23 @@ fn error_falls_with_the_cells_and_the_stages_of_a_step_add_up_to_most_of_its_tim
     }
     assert!(out.join("report.html").exists());
 }
+
+#[test]
+fn the_map_of_stress_has_a_row_for_each_trial_and_water_at_rest_is_right_in_all_of_them() {
+    let folder = Folder::new();
+    let out = folder.join("stress");
+    let mut command = Command::new(FLUID);
+    command.args(["stress", "--quick", "--only", "rest", "--out"]).arg(&out);
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(out.join("stress.csv")).unwrap();
+    let rows: Vec<&str> = text.lines().skip(1).collect();
+    assert_eq!(rows.len(), 12, "{text}");
+    for row in rows {
+        assert!(row.split(',').nth(2) == Some("\"right\""), "{row}");
+        let what = row.split("\",\"").nth(1).unwrap();
+        assert!(std::fs::read_dir(&out).unwrap().any(|entry| {
+            entry.unwrap().file_name().to_string_lossy().ends_with(&what.replace(' ', "-"))
+        }));
+    }
+}

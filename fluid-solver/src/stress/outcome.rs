@@ -57,17 +57,22 @@ pub enum Expected {
         /// Of the end \[m/s\].
         speed: f64,
     },
-    /// It runs with fluid that enters or leaves, or that walls drive, whose energy is not its own: the largest volume error.
+    /// It runs with fluid that enters or leaves, or that walls drive, whose energy is not its own: the largest volume error, and the
+    /// largest speed at the end \[m/s\].
     Open {
         /// |V + drops − V₀|/V₀, of what passed the gates booked.
         volume_error: f64,
+        /// Of the end \[m/s\].
+        speed: f64,
     },
     /// It is refused with a message that contains this.
     Refusal(&'static str),
 }
 
-/// Energy may exceed its start by this share: the round-off and tolerance of a run.
-const GROWTH: f64 = 1e-3;
+/// The energy of a right answer may exceed its start by this share: the tolerance of a run.
+const GROWTH: f64 = 1e-4;
+/// By more than this it comes out of nothing.
+const OUT_OF_NOTHING: f64 = 1e-3;
 
 impl Outcome {
     /// Its worth.
@@ -76,18 +81,18 @@ impl Outcome {
             (Self::Ran(worst), Expected::Run { volume_error, speed }) => {
                 let Worst { volume_error: lost, energy_growth, speed: fast, .. } = *worst;
                 // Negated: a number that is not finite is broken.
-                if !(energy_growth <= 1.0 + GROWTH && lost.is_finite() && fast.is_finite()) {
+                if !(energy_growth <= 1.0 + OUT_OF_NOTHING && lost.is_finite() && fast.is_finite()) {
                     Verdict::Broken
-                } else if lost <= volume_error && fast <= speed {
+                } else if energy_growth <= 1.0 + GROWTH && lost <= volume_error && fast <= speed {
                     Verdict::Right
                 } else {
                     Verdict::Stable
                 }
             }
-            (Self::Ran(worst), Expected::Open { volume_error }) => {
+            (Self::Ran(worst), Expected::Open { volume_error, speed }) => {
                 if !(worst.volume_error.is_finite() && worst.speed.is_finite()) {
                     Verdict::Broken
-                } else if worst.volume_error <= volume_error {
+                } else if worst.volume_error <= volume_error && worst.speed <= speed {
                     Verdict::Right
                 } else {
                     Verdict::Stable
@@ -127,6 +132,7 @@ mod tests {
         assert_eq!(Outcome::Ran(WORST).verdict(RUN), Verdict::Right);
         assert_eq!(Outcome::Ran(Worst { volume_error: 3e-3, ..WORST }).verdict(RUN), Verdict::Stable);
         assert_eq!(Outcome::Ran(Worst { speed: 2.0, ..WORST }).verdict(RUN), Verdict::Stable);
+        assert_eq!(Outcome::Ran(Worst { energy_growth: 1.0007, ..WORST }).verdict(RUN), Verdict::Stable);
     }
 
     #[test]
@@ -134,8 +140,9 @@ mod tests {
         for growth in [1.002, f64::NAN, f64::INFINITY] {
             assert_eq!(Outcome::Ran(Worst { energy_growth: growth, ..WORST }).verdict(RUN), Verdict::Broken);
         }
-        let open = Expected::Open { volume_error: 2e-3 };
+        let open = Expected::Open { volume_error: 2e-3, speed: 1.0 };
         assert_eq!(Outcome::Ran(Worst { energy_growth: 9.0, ..WORST }).verdict(open), Verdict::Right);
+        assert_eq!(Outcome::Ran(Worst { speed: 2.0, ..WORST }).verdict(open), Verdict::Stable);
         assert_eq!(Outcome::Ran(Worst { volume_error: f64::NAN, ..WORST }).verdict(open), Verdict::Broken);
     }
 

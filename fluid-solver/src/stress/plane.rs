@@ -1,13 +1,23 @@
 //! Tanks of water in the plane, poured, shaken, struck.
 
 use super::outcome::Expected;
-use super::scene::{boundary, drop, plane, polyline, tank, wall};
+use super::scene::{boundary, drop, plane, polyline, refined, tank, wall};
 use super::trial::{AT_REST, Effort, GRAVITY, Kind, MOVING, Trial};
 
 /// All of them.
 pub fn trials(effort: Effort) -> Vec<Trial> {
-    [courant(), clouds(), impacts(effort), flights(), long(effort), edges(effort), emptied(), refusals()]
-        .concat()
+    [
+        courant(),
+        clouds(),
+        graded(effort),
+        impacts(effort),
+        flights(),
+        long(effort),
+        edges(effort),
+        emptied(),
+        refusals(),
+    ]
+    .concat()
 }
 
 fn trial(
@@ -52,6 +62,26 @@ fn clouds() -> Vec<Trial> {
         rest("a puddle of one cell", [1.0, 0.05], 0.05, 0.0),
         rest("a column of one cell", [0.05, 1.0], 0.05, 0.0),
     ]
+}
+
+/// Cells that are many times finer in some places than in others, all at once and where the water runs.
+fn graded(effort: Effort) -> Vec<Trial> {
+    let corner = "box = { lower = [\"0 m\", \"0 m\"], upper = [\"0.1 m\", \"0.1 m\"] }";
+    let tank_of = |fine: f64| tank([0.0; 2], [1.0, 0.5], 0.1, "", &SIDES, &refined(corner, fine));
+    let rest = |times: f64| {
+        let expected = Expected::Run { volume_error: 1e-9, speed: AT_REST };
+        let what = format!("at rest, {times} times finer in a corner");
+        trial("graded", what, (0.01, 0.5), expected, tank_of(0.1 / times))
+    };
+    let far = plane("far-wall", [0.584, 0.0], [-1.0, 0.0]);
+    let near = |what: &str| far.clone() + &refined(&format!("near = {what:?}"), 0.0073);
+    let dam = |what: &str| {
+        let expected = Expected::Run { volume_error: 1e-2, speed: MOVING };
+        let scene = tank([0.0, 0.0], [0.146, 0.292], 0.0292, "", &["x-min", "y-min"], &near(what));
+        let end = if effort == Effort::Quick { 0.5 } else { 1.5 };
+        trial("graded", format!("dam break, 4 times finer near {what}"), (1e-3, end), expected, scene)
+    };
+    vec![rest(8.0), rest(30.0), dam("surface"), dam("walls")]
 }
 
 /// Water that meets water, or a wall.
@@ -124,7 +154,7 @@ fn edges(effort: Effort) -> Vec<Trial> {
             "edge",
             "a block let down on level water",
             (1e-3, 0.4),
-            Expected::Open { volume_error: 1e-3 },
+            Expected::Open { volume_error: 1e-3, speed: MOVING },
             pushed,
         ),
         trial("edge", "a weir into a lower tank", (2e-3, 0.8), expected, weir),
@@ -132,7 +162,7 @@ fn edges(effort: Effort) -> Vec<Trial> {
             "edge",
             "a piston before a beach of 22 degrees",
             (4e-3, 2.0),
-            Expected::Open { volume_error: 5e-3 },
+            Expected::Open { volume_error: 5e-3, speed: MOVING },
             waves,
         ),
         trial("edge", "an obstacle with dry edges", (1e-3, 0.6), expected, dam(far.clone() + &obstacle)),
@@ -142,7 +172,7 @@ fn edges(effort: Effort) -> Vec<Trial> {
 
 /// A tank with an open side under gravity and a pull.
 fn emptied() -> Vec<Trial> {
-    let expected = Expected::Open { volume_error: 1e-3 };
+    let expected = Expected::Open { volume_error: 1e-3, speed: MOVING };
     let floor = plane("floor", [0.0, 0.0], [0.0, 1.0]);
     let scene = tank([0.0, 0.0], [0.5, 0.2], 0.025, "", &["x-min"], &floor).replace(
         &boundary(&["x-max", "y-min", "y-max"], "free-surface"),

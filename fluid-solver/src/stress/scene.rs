@@ -53,6 +53,11 @@ pub fn wall(name: &str, shape: &str) -> String {
     format!("{}[[wall]]\nname = \"{name}\"\n{shape}\n", boundary(&[name], "slip"))
 }
 
+/// Cells of a size (m) where a key of `[[fluid.pfem.refine]]` says so.
+pub fn refined(place: &str, size: f64) -> String {
+    format!("[[fluid.pfem.refine]]\n{place}\nsize = \"{size} m\"\n")
+}
+
 /// A ball of fluid (2D: a disc) that falls.
 pub fn drop<const D: usize>(centre: [f64; D], radius: f64, speed: f64) -> String {
     let velocity = std::array::from_fn::<_, D, _>(|k| if k + 1 == D { -speed } else { 0.0 });

@@ -1,7 +1,7 @@
 //! Tanks of water in space.
 
 use super::outcome::Expected;
-use super::scene::{boundary, drop, plane, tank};
+use super::scene::{boundary, drop, plane, refined, tank};
 use super::trial::{AT_REST, Effort, GRAVITY, Kind, MOVING, Trial};
 
 /// All of them.
@@ -9,6 +9,7 @@ pub fn trials(effort: Effort) -> Vec<Trial> {
     [
         courant(effort),
         clouds(),
+        graded(effort),
         impacts(effort),
         flights(effort),
         bubbles(effort),
@@ -58,6 +59,21 @@ fn clouds() -> Vec<Trial> {
         rest("nodes shifted by 0.3", [0.5, 0.4, 0.3], 0.1, 0.3),
         rest("a puddle of one cell", [0.4, 0.4, 0.05], 0.05, 0.0),
         rest("a column of one cell", [0.05, 0.05, 0.5], 0.05, 0.0),
+    ]
+}
+
+/// Cells that are many times finer in some places than in others, all at once and where the water runs.
+fn graded(effort: Effort) -> Vec<Trial> {
+    let ball = "sphere = { centre = [\"0.2 m\", \"0.2 m\", \"0.1 m\"], radius = \"0.04 m\" }";
+    let still = tank([0.0; 3], [0.4, 0.4, 0.3], 0.1, "", &SIDES, &refined(ball, 0.0125));
+    let at_rest = Expected::Run { volume_error: 1e-9, speed: AT_REST };
+    let pool = tank([0.0; 3], [0.3, 0.3, 0.1], 0.05, "", &SIDES, &refined("near = \"surface\"", 0.0167));
+    let pool = pool + &drop([0.15, 0.15, 0.19], 0.06, 1.0);
+    let struck = Expected::Run { volume_error: 1e-2, speed: MOVING };
+    let end = if effort == Effort::Quick { 0.1 } else { 0.4 };
+    vec![
+        trial("graded", "at rest, 8 times finer in a ball", (0.01, 0.2), at_rest, still),
+        trial("graded", "a drop, 3 times finer near surface", (2e-3, end), struck, pool),
     ]
 }
 
@@ -119,7 +135,7 @@ fn bubbles(effort: Effort) -> Vec<Trial> {
 /// A tank with an open side under gravity and a pull.
 fn emptied(effort: Effort) -> Vec<Trial> {
     let end = if effort == Effort::Quick { 0.5 } else { 2.0 };
-    let expected = Expected::Open { volume_error: 1e-2 };
+    let expected = Expected::Open { volume_error: 1e-2, speed: MOVING };
     let floor = plane("floor", [0.0; 3], [0.0, 0.0, 1.0]);
     let scene = tank([0.0; 3], [0.3, 0.1, 0.1], 0.025, "", &["x-min", "y-min", "y-max"], &floor).replace(
         &boundary(&["x-max", "z-min", "z-max"], "free-surface"),

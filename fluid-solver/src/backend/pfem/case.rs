@@ -3,6 +3,7 @@
 use super::backend::{Pfem, Setting};
 use super::body::Body;
 use super::cloud::Cloud;
+use super::first_mesh::refine;
 use super::flow::{self, Control, Flow};
 use super::gate::{self, Gates, Opening};
 use super::remesh::{Grading, Near, Recognition, Remesher, Source, SpaceRemesher, TargetSize};
@@ -53,7 +54,7 @@ fn backend<const D: usize, const N: usize>(
     case: &Case,
     fluid: &Fluid,
     mesh: Option<Mesh<D, N>>,
-    renewal: Box<dyn Renewal<D, N>>,
+    mut renewal: Box<dyn Renewal<D, N>>,
     response: Response,
 ) -> Result<Pfem<D, N>, FluidError> {
     let table = &case.document.case;
@@ -74,9 +75,11 @@ fn backend<const D: usize, const N: usize>(
     cloud.velocity = velocity;
     touch(case, &mut cloud, &walls, size)?;
     enter(&mut cloud, &walls, &openings);
+    let size = target_size(fluid, size);
+    refine(&mut cloud, &mut *renewal, &walls, &size)?;
     let setting = Setting {
         walls,
-        size: target_size(fluid, size),
+        size,
         acceleration: acceleration(case, fluid),
         response,
         spreading: spreading(fluid),

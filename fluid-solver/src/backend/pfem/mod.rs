@@ -8,6 +8,7 @@ pub mod body;
 mod case;
 mod checkpoint;
 pub mod cloud;
+mod first_mesh;
 pub mod flow;
 pub mod gate;
 pub mod grains;

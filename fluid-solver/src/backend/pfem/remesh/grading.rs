@@ -3,7 +3,9 @@
 use crate::backend::pfem::cloud::Cloud;
 use crate::element::simplex::{Vector, distance, in_space};
 
-/// h = min(h₀, min_s (h_s + g d_s)), d_s the way to the nearest node of a source s along the edges of the mesh.
+/// h = min(h₀, min_s (h_s + g d_s)), d_s the way to the nearest node of a source s along the edges of the mesh, but no less than
+/// half of the longest edge at a node: cells that are still coarse, as at the start, become finer by halves, for what is long,
+/// thin or close is told by h.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grading {
     /// h₀ (m).
@@ -69,6 +71,15 @@ impl Grading {
             }
         }
         while self.grow(cloud, sizes) {}
+        for cell in &cloud.cells {
+            let vertices = cloud.vertices(cell);
+            for (i, j) in (0..N).flat_map(|i| (0..i).map(move |j| (i, j))) {
+                let half = 0.5 * distance(&vertices[i], &vertices[j]);
+                for node in [cell[i], cell[j]].map(|node| node as usize) {
+                    sizes[node] = sizes[node].max(half.min(self.coarse));
+                }
+            }
+        }
     }
 
     /// Lets h be at most that of a neighbour and g times the way to it; whether that changed any.
@@ -106,10 +117,10 @@ impl Grading {
 mod tests {
     use super::*;
 
-    /// A strip of squares along x, each cut in two; the nodes below come first.
+    /// A strip of squares of 0.5 m along x, each cut in two; the nodes below come first.
     fn strip(cells: usize) -> Cloud<2, 3> {
-        let row = |y: f64| (0..=cells).map(move |k| [k as f64, y]);
-        let place: Vec<_> = row(0.0).chain(row(1.0)).collect();
+        let row = |y: f64| (0..=cells).map(move |k| [0.5 * k as f64, y]);
+        let place: Vec<_> = row(0.0).chain(row(0.5)).collect();
         let above = cells as u32 + 1;
         let square = |k: u32| [[k, k + 1, above + k + 1], [k, above + k + 1, above + k]];
         let nodes = place.len();
@@ -130,6 +141,17 @@ mod tests {
         for (x, size) in cloud.place.iter().zip(&sizes).take(11) {
             assert!((size - (0.5 + 0.25 * x[0]).min(2.0)).abs() < 1e-12, "{x:?}: {size}");
         }
+    }
+
+    #[test]
+    fn cells_that_are_coarse_yet_become_finer_by_halves() {
+        let source = Source { near: Near::Box([-9.0; 3], [9.0; 3]), size: 0.01 };
+        let grading = Grading { coarse: 2.0, growth: 0.25, sources: vec![source], by_grains: Vec::new() };
+        let (cloud, mut sizes) = (strip(3), Vec::new());
+        grading.at_nodes(&cloud, &mut sizes);
+        // All but the two ends of the strip that no diagonal meets.
+        let half = |node: usize| if [3, 4].contains(&node) { 0.25 } else { 0.25 * 2.0_f64.sqrt() };
+        assert!((0..8).all(|node| (sizes[node] - half(node)).abs() < 1e-12), "{sizes:?}");
     }
 
     #[test]
