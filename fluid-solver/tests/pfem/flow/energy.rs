@@ -1,4 +1,4 @@
-//! What goes over between nodes takes its velocity along.
+//! What goes over between nodes takes its velocity along; a projection takes energy and gives none.
 
 use crate::support::{WATER, advance, block, flow};
 use fluid_solver::backend::pfem::cloud::Cloud;
@@ -33,5 +33,21 @@ fn a_body_that_turns_in_space_keeps_its_momentum_and_its_energy() {
     for ([momentum, energy], gained) in [(turning::<2, 3>(10), 5e-5), (turning::<3, 4>(5), 2e-4)] {
         assert!(momentum <= 2e-7, "{momentum:e} m/s");
         assert!(energy <= 1.0 + gained, "{energy}");
+    }
+}
+
+#[test]
+fn a_film_flatter_than_a_sliver_gains_no_energy_after_a_blow_to_a_node_of_it() {
+    for thickness in [0.02, 0.005, 0.001] {
+        let mut cloud: Cloud<3, 4> = block([1.0, 1.0, 0.25 * thickness], [4, 4, 1], 0.0);
+        let struck = cloud.place.iter().position(|x| x[..2] == [0.5; 2] && x[2] > 0.0).unwrap();
+        cloud.velocity[struck][2] = -1.0;
+        let forces = Forces { gravity: [0.0; 3], grains: None };
+        let mut last = energy(&cloud).kinetic;
+        advance(&mut flow(WATER, 1e-8), &mut cloud, &[], &forces, 1e-9, 0..10, |cloud, _| {
+            let kinetic = energy(cloud).kinetic;
+            assert!(kinetic <= (1.0 + 1e-6) * last, "{thickness}: {}", kinetic / last);
+            last = kinetic;
+        });
     }
 }

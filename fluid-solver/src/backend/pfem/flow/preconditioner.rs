@@ -22,6 +22,8 @@ pub struct Preconditioning<const D: usize> {
     pub pressure: Pressure,
     /// (4/3) μ/V_i (Pa/m³ s): what viscosity adds to the inverse of the Schur complement.
     viscous: Vec<f64>,
+    /// W_i/V_i ≥ 1, see [`refresh`](Self::refresh).
+    lightness: Vec<f64>,
     /// Scratch, one entry per node.
     pub forces: Vec<Vector<D>>,
     /// Scratch, one entry per node.
@@ -51,6 +53,7 @@ impl<const D: usize> Preconditioning<D> {
             velocity: Velocity::new(topology),
             pressure: Pressure::new(topology),
             viscous: vec![0.0; nodes],
+            lightness: vec![1.0; nodes],
             forces: vec![[0.0; D]; nodes],
             volumes: vec![0.0; nodes],
             no_pressure: vec![0.0; nodes],
@@ -58,6 +61,11 @@ impl<const D: usize> Preconditioning<D> {
     }
 
     /// Takes the cells of a pass.
+    ///
+    /// In a cell e the mobility of water alone is θΔt/ρ times the mean W_i/V_i of its corners, W_i = Σ V'/N with V' what is taken
+    /// for V in 1/V_e: then Σ_i |Σ_e V∇p/N|²/V_i ≤ Σ_e |V∇p|²/V' × that mean (Cauchy and Schwarz), and P is not less than the
+    /// D M⁻¹ Dᵀ of a projection. Where a node has slivers alone, its V_i is less than what they count for, and without the
+    /// factor a projection would turn what it should take round.
     ///
     /// # Errors
     /// A coefficient that is not finite.
@@ -72,10 +80,19 @@ impl<const D: usize> Preconditioning<D> {
     ) -> Result<(), linear::Error> {
         let Rates { inertia, compressibility, mobility, friction } = rates;
         self.velocity.refresh(topology, assembly, constraints, (inertia, friction), grains)?;
+        for_each(&mut self.lightness, |node, lightness| {
+            let cells = topology.corners(node).iter().map(|corner| &assembly.cells[corner.cell as usize]);
+            let lack: f64 = cells.map(|cell| (1.0 - cell.fullness) / (cell.inverse * N as f64)).sum();
+            let volume = assembly.volumes[node];
+            *lightness = if volume > 0.0 { 1.0 + lack / volume } else { 1.0 };
+        });
+        let lightness = &self.lightness;
         let mobility = |index: usize, nodes: &[u32; N]| match (&grains, mobility) {
             (_, Some(mobility)) => mobility(&assembly.cells[index]),
             (Some(grains), _) => grains.mobility(index, nodes, inertia),
-            (None, None) => 1.0 / inertia,
+            (None, None) => {
+                nodes.iter().map(|&node| lightness[node as usize]).sum::<f64>() / N as f64 / inertia
+            }
         };
         self.pressure.refresh(cloud, assembly, mobility, compressibility)?;
         for_each(&mut self.viscous, |node, viscous| {
@@ -104,7 +121,8 @@ pub struct StepPreconditioner<'s, 'a, const D: usize, const N: usize> {
 impl<const D: usize, const N: usize> Preconditioner for StepPreconditioner<'_, '_, D, N> {
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         let ((r_v, r_p), (v, p)) = (split::<D>(r), split_mut::<D>(z));
-        let Preconditioning { velocity, pressure, viscous, forces, volumes, no_pressure } = &mut *self.parts;
+        let Preconditioning { velocity, pressure, viscous, forces, volumes, no_pressure, .. } =
+            &mut *self.parts;
         let StepOperator { topology, constraints, scale, grains, .. } = *self.operator;
         if velocity.is_viscous() {
             for_each(volumes, |node, volume| *volume = r_p[node] / scale);

@@ -17,7 +17,8 @@ const LEVEL: f64 = 1e-9;
 
 /// P ≈ the Schur complement of the pressure: (θΔt/ρ)[∫∇N_i·∇N_j + Σ_faces (c/h_n) ∫N_i N_j] + V_i/(κΔt).
 ///
-/// The inertia of the stabilisation cancels ∫N_i∇·v inside, where τ = θΔt/ρ; what is left of both is on the surface.
+/// The inertia of the stabilisation cancels ∫N_i∇·v inside, where τ = θΔt/ρ; what is left of both is on the surface. For θΔt/ρ
+/// stands a mobility, which is more at slivers ([`Preconditioning::refresh`](super::preconditioner::Preconditioning::refresh)).
 pub struct Pressure {
     matrix: Csr,
     solver: Option<Solver>,

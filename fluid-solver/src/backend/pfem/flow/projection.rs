@@ -39,7 +39,8 @@ impl<const D: usize, const N: usize> Flow<D, N> {
     ///
     /// Blows and changes of the mesh leave a divergence in v_n. The midpoint rule has ∇·v_m = 0 and v_{n+1} = 2v_m − v_n: it would
     /// turn it round in each step for ever, with pressures that alternate and grow. The constraint takes this part of v_n anyway,
-    /// so v_m is the same without it. P is the approximate inverse of the step: what it leaves goes in the next ones.
+    /// so v_m is the same without it. P is that of the approximate inverse of the step: what it leaves goes in the next ones, and
+    /// as it is not less than D M⁻¹ Dᵀ nothing is taken twice.
     pub(super) fn project(
         &mut self,
         start: Start<'_, D, N>,
