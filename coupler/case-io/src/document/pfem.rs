@@ -40,7 +40,7 @@ pub enum Recognition {
     /// What lies inside of the moved surface; surfaces merge where they close a thin gap (in the plane) or have met (in space).
     #[default]
     MovedDomain,
-    /// What is not larger than the size allows.
+    /// Cells whose circumscribed circle or ball is at most 1.25 sizes in radius: the usual rule, for comparison.
     AlphaShape,
 }
 

@@ -26,6 +26,7 @@ const TOUCHING: f64 = 1e-6;
 const GROWTH: f64 = 0.3;
 /// Nodes are at most this many target sizes apart at the start.
 const SPARSE: f64 = 2.5;
+
 /// The fluid of a case.
 ///
 /// # Errors

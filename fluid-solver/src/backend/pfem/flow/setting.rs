@@ -22,8 +22,8 @@ pub struct Fluid {
 pub struct Control {
     /// Norm of the residual relative to that of the predictor and of the inertia and stresses of the flow.
     pub tolerance: f64,
-    /// θ: v_m = v_n + θΔt v′ and v_{n+1} = v_n + Δt v′. One half is of second order and keeps the energy; more damps what
-    /// rings from step to step, 1 takes all that an impact leaves.
+    /// Least θ: v_m = v_n + θΔt v′ and v_{n+1} = v_n + Δt v′. One half is of second order and keeps the energy; more damps
+    /// what rings from step to step, and waves. The segregated scheme and yield stresses have θ = 1.
     pub implicitness: f64,
     /// How velocity and pressure are found.
     pub scheme: Scheme,

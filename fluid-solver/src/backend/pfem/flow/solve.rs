@@ -25,7 +25,8 @@ use std::cell::RefCell;
 /// A time after all others (s) whose third power is a number.
 const NEVER: f64 = 1e60;
 
-/// Least θ with grains: 0.6 + ½(1 − ε), at most 1, ε being the least void fraction.
+/// Least θ with grains where v_{n+1} is not freed of its rebound (compressible fluids, schemes that do not project):
+/// 0.6 + ½(1 − ε), at most 1, ε being the least void fraction.
 ///
 /// The divergence of v_m follows the grains from step to step, and a step turns the share 1/θ − 1 of what the last one left
 /// of it round: the denser they are the more they feed on it.

@@ -25,7 +25,8 @@ impl Account {
 pub struct VolumeBooks {
     /// Volume at the start.
     pub start: f64,
-    /// Volume that there should be: the first one, and what came in through inlets since, less what left.
+    /// Volume that there should be: the first one, and what came in through gates since, less what left; with grains also
+    /// what is wet of them, less what was when they came.
     pub target: f64,
     /// Volume of the cells at the end of the last remeshing.
     pub cells: f64,
