@@ -36,7 +36,6 @@ mod velocity;
 mod wall_function;
 
 pub(super) use cell::viscosity;
-pub use constraint::Constraint;
 pub use fault::FlowFault;
 pub use rheology::{HerschelBulkley, Law, Newtonian, Rheology};
 pub use scheme::Scheme;

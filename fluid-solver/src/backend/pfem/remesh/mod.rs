@@ -143,9 +143,8 @@ impl Remesher<2, 3> {
         }
         self.spent.settling += clock.lap();
         books.volume.cells = volumes(cloud, &mut self.node_volumes);
+        transfer::keep_momentum(cloud, &self.draft.mass, momentum, &self.node_volumes);
         let volumes = (&*self.draft.mass, &*self.node_volumes);
-        transfer::mix(cloud, volumes, walls, time);
-        transfer::keep_momentum(cloud, volumes.0, momentum, volumes.1);
         transfer::keep_energy(cloud, volumes, &energy_before, &self.acceleration, &mut books.energy);
         books.volume.drops = cloud.drop.iter().sum();
         self.spent.transfer += clock.lap();

@@ -111,9 +111,8 @@ impl Renewal<3, 4> for SpaceRemesher {
             let smallest = draft.size.iter().copied().fold(f64::INFINITY, f64::min);
             events.closed = u32::from(overlap < -BLOW * smallest.powi(3));
         }
+        transfer::keep_momentum(cloud, &draft.mass, momentum, node_volumes);
         let volumes = (&*draft.mass, &**node_volumes);
-        transfer::mix(cloud, volumes, walls, time);
-        transfer::keep_momentum(cloud, volumes.0, momentum, volumes.1);
         transfer::keep_energy(cloud, volumes, &energy_before, &self.acceleration, &mut books.energy);
         cloud.relieve_drops();
         spent.transfer += clock.lap();
