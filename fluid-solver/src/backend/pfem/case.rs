@@ -24,7 +24,7 @@ const ALPHA: f64 = 1.25;
 const TOUCHING: f64 = 1e-6;
 /// What the size of cells gains per way from where they are fine, unless stated.
 const GROWTH: f64 = 0.3;
-/// Nodes are at most this many target sizes apart at the start.
+/// Nodes are at most this many target sizes apart at the start; in an alpha shape as far as corners of its largest regular cell.
 const SPARSE: f64 = 2.5;
 
 /// The fluid of a case.
@@ -41,12 +41,12 @@ pub fn of(case: &Case, fluid: &Fluid, response: Response) -> Result<Box<dyn Flui
         Dimension::Two => {
             let mesh = has_mesh.then(|| mesh::case::plane(case, fluid)).transpose()?;
             let renewal = Box::new(Remesher::<2, 3>::new(recognition).under(lifted_against(case, fluid)));
-            Ok(Box::new(backend::<2, 3>(case, fluid, mesh, renewal, response)?))
+            Ok(Box::new(backend::<2, 3>(case, fluid, mesh, (recognition, renewal), response)?))
         }
         Dimension::Three => {
             let mesh = has_mesh.then(|| mesh::case::space(case, fluid)).transpose()?;
             let renewal = Box::new(SpaceRemesher::new(recognition).under(lifted_against(case, fluid)));
-            Ok(Box::new(backend::<3, 4>(case, fluid, mesh, renewal, response)?))
+            Ok(Box::new(backend::<3, 4>(case, fluid, mesh, (recognition, renewal), response)?))
         }
     }
 }
@@ -55,7 +55,7 @@ fn backend<const D: usize, const N: usize>(
     case: &Case,
     fluid: &Fluid,
     mesh: Option<Mesh<D, N>>,
-    mut renewal: Box<dyn Renewal<D, N>>,
+    (recognition, mut renewal): (Recognition, Box<dyn Renewal<D, N>>),
     response: Response,
 ) -> Result<Pfem<D, N>, FluidError> {
     let table = &case.document.case;
@@ -70,7 +70,7 @@ fn backend<const D: usize, const N: usize>(
     let (mut all, mut velocity) = bodies(case, fluid, first, size)?;
     let openings = gate::open(case, fluid, mesh.as_ref(), &mut walls, size, &mut all)?;
     velocity.resize(all.place.len(), [0.0; D]);
-    refuse_unfit(case, &all, size)?;
+    refuse_unfit(case, &all, size, sparse::<D>(recognition))?;
     let outlets = gate::outlets(case, fluid, mesh.as_ref(), &walls, size, &all)?;
     let mut cloud = all.cloud();
     cloud.velocity = velocity;
@@ -209,11 +209,21 @@ fn refuse_coarse<const D: usize, const N: usize>(
     Err(case.error("fluid.pfem.size", format!("it is {size:.3e} m"), allowed, "").into())
 }
 
-/// Refuses a fluid without volume, nodes too far apart for the size, and nodes at one place.
+/// How many target sizes nodes may be apart at the start: a regular simplex of edge e has the circumradius
+/// e √(D/(2(D + 1))), and one larger than α h is no fluid of an alpha shape.
+fn sparse<const D: usize>(recognition: Recognition) -> f64 {
+    match recognition {
+        Recognition::MovedDomain => SPARSE,
+        Recognition::AlphaShape { alpha } => SPARSE.min(alpha * (2.0 * (D as f64 + 1.0) / D as f64).sqrt()),
+    }
+}
+
+/// Refuses a fluid without volume, nodes more than `sparse` sizes apart, and nodes at one place.
 fn refuse_unfit<const D: usize, const N: usize>(
     case: &Case,
     body: &Body<D, N>,
     size: f64,
+    sparse: f64,
 ) -> Result<(), FluidError> {
     let least = TOUCHING * size.powi(D as i32);
     for cell in &body.cells {
@@ -230,10 +240,10 @@ fn refuse_unfit<const D: usize, const N: usize>(
             .error("fluid", "it has a volume of 0", "", "add [fluid.mesh] or [[fluid.body]]")
             .into());
     };
-    if longest > SPARSE * size {
+    if longest > sparse * size {
         let found =
             format!("{size:.3e} m, but at {:?} m nodes are {longest:.3e} m apart", body.place[node as usize]);
-        let allowed = format!("{:.3e} m or more", longest / SPARSE);
+        let allowed = format!("{:.3e} m or more", longest / sparse);
         return Err(case
             .error("fluid.pfem.size", found, allowed, "make the mesh finer, or its cells alike")
             .into());

@@ -165,22 +165,34 @@ fn of_file<const D: usize>(
 
 /// Refuses ends of walls that are nearer to another wall than a cell is large without meeting it: fluid would be caught there.
 ///
+/// A side in which a wall ends lies along a wall that all of its vertices meet; else its middle is looked at as they are.
+///
 /// # Errors
 /// Where the first is.
 pub fn refuse_gaps<const D: usize>(case: &Case, walls: &[Wall<D>], size: f64) -> Result<(), FluidError> {
     for (index, wall) in walls.iter().enumerate() {
         let Shape::Patch(patch) = &wall.shape else { continue };
-        for end in patch.ends() {
-            let others = walls.iter().enumerate().filter(|&(other, _)| other != index);
-            let nearest = others.map(|(_, other)| (other.shape.touch(&end).gap, other));
-            let Some((gap, other)) = nearest.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())) else { continue };
-            if gap > FLAT * size && gap < size {
-                let found = format!(
-                    "there is a gap of {gap:.3e} m between an end of the wall \"{}\", at {end:?} m, and \"{}\"",
-                    wall.name, other.name
-                );
-                let allowed = format!("walls that meet, or are farther apart than a cell, {size:.3e} m");
-                return Err(case.error("fluid.boundary", found, allowed, "close it or widen it").into());
+        let others = || walls.iter().enumerate().filter(|&(other, _)| other != index).map(|(_, other)| other);
+        let gap = |other: &Wall<D>, end: &Vector<D>| other.shape.touch(end).gap;
+        for mut ends in patch.ends() {
+            if others().any(|other| ends.iter().all(|end| gap(other, end).abs() <= FLAT * size)) {
+                continue;
+            }
+            let share = 1.0 / ends.len() as f64;
+            ends.push(std::array::from_fn(|k| share * ends.iter().map(|end| end[k]).sum::<f64>()));
+            for end in ends {
+                let nearest = others().map(|other| (gap(other, &end), other));
+                let Some((gap, other)) = nearest.min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())) else {
+                    continue;
+                };
+                if gap > FLAT * size && gap < size {
+                    let found = format!(
+                        "there is a gap of {gap:.3e} m between an end of the wall \"{}\", at {end:?} m, and \"{}\"",
+                        wall.name, other.name
+                    );
+                    let allowed = format!("walls that meet, or are farther apart than a cell, {size:.3e} m");
+                    return Err(case.error("fluid.boundary", found, allowed, "close it or widen it").into());
+                }
             }
         }
     }

@@ -59,11 +59,11 @@ impl<const D: usize> Patch<D> {
         Self { facets, is_open, bins, extent }
     }
 
-    /// Vertices where the surface ends.
-    pub fn ends(&self) -> impl Iterator<Item = Vector<D>> {
+    /// Where the surface ends: the vertices of each side of a facet that has nothing beyond it.
+    pub fn ends(&self) -> impl Iterator<Item = Vec<Vector<D>>> {
         self.facets.iter().flat_map(|facet| {
             let ends = facet.sides.iter().enumerate().filter(|(_, side)| **side == Side::Rim);
-            ends.flat_map(move |(k, _)| (1..D).map(move |step| facet.vertices[(k + step) % D]))
+            ends.map(move |(k, _)| (1..D).map(|step| facet.vertices[(k + step) % D]).collect())
         })
     }
 
