@@ -1,4 +1,5 @@
 //! Claims about `pfem`.
+#![allow(clippy::print_stdout, reason = "what is measured are figures of the documentation")]
 
 mod backend;
 mod flow;

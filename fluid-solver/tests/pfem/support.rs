@@ -3,6 +3,7 @@
 use fluid_solver::backend::Step;
 use fluid_solver::backend::pfem::cloud::{Cloud, OUTSIDE};
 use fluid_solver::backend::pfem::flow::{Control, Flow, FlowSolution, Fluid, Forces, Newtonian, Rheology};
+use fluid_solver::backend::pfem::remesh::volumes;
 use fluid_solver::backend::pfem::wall::{Contacts, Grip, Plane, Shape, Wall};
 use fluid_solver::element::simplex::{dot, volume_and_areas};
 use fluid_solver::mesh::generate::{BoxMesh, Jitter};
@@ -114,6 +115,13 @@ pub fn largest_speed<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64
 
 pub fn volume<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> f64 {
     cloud.cells.iter().map(|cell| volume_and_areas(&cloud.vertices(cell)).0).sum()
+}
+
+/// Σ V_i v_i, drops with it.
+pub fn momentum<const D: usize, const N: usize>(cloud: &Cloud<D, N>) -> [f64; D] {
+    let mut nodes = Vec::new();
+    volumes(cloud, &mut nodes);
+    std::array::from_fn(|k| nodes.iter().zip(&cloud.velocity).map(|(volume, v)| volume * v[k]).sum())
 }
 
 /// A drop in flight.

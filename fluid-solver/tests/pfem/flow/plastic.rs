@@ -48,6 +48,7 @@ fn channel(share: f64, cells: usize) -> (f64, u64) {
 fn a_bingham_fluid_falls_through_a_channel_with_its_plug_in_few_passes() {
     for (share, cells) in [(0.0, 20), (0.2, 20), (0.2, 30), (0.5, 20), (0.5, 30)] {
         let (error, passes) = channel(share, cells);
+        println!("Bingham channel, plug {share}, {cells} cells: profile {error:.4}, {passes} passes");
         assert!(error <= 0.03, "plug {share}, {cells} cells: {error}");
         assert!(passes <= 20, "plug {share}, {cells} cells: {passes} passes");
     }
@@ -73,6 +74,7 @@ fn a_column_that_its_yield_stress_can_bear_only_creeps_and_slower_the_lower_the_
         let (speed, passes) = column(2000.0, creep_rate);
         // Stress ρgH/2 at most, at the viscosity of the creep.
         let creep = 0.5 * DENSITY * 9.81 * 0.01 * creep_rate / 2000.0;
+        println!("a column that its yield stress bears: creep {:.3} γ̇₀ρgH²/τ_y", 0.5 * speed / creep);
         assert!(speed <= creep && passes <= 20, "{speed} m/s, {creep} m/s, {passes} passes");
     }
     assert!(column(200.0, 1e-3).0 > 0.01, "a tenth of that stress does not bear it");

@@ -41,5 +41,6 @@ sphere = { centre = ["0.25 m", "0.03 m"], radius = "0.025 m", grains = "outside"
         }
         mud.commit(step).unwrap();
     }
+    println!("mud that comes to a stone: {most} linear iterations in a window at most");
     assert!(most <= 1000, "{most} linear iterations in a window");
 }

@@ -88,6 +88,10 @@ fn ten_periods(cells: [usize; 2]) -> [f64; 2] {
 fn the_period_is_that_of_linear_theory_and_ten_periods_keep_volume_and_amplitude() {
     for (cells, error) in [([40, 20], 2e-3), ([80, 40], 1e-3)] {
         let [period, last] = ten_periods(cells);
+        println!(
+            "standing wave, {cells:?} cells: period {:+.4}, amplitude of the tenth {last:.4}",
+            period - 1.0
+        );
         assert!((period - 1.0).abs() <= error, "{cells:?}: {period} of the exact one");
         assert!((last - 1.0).abs() <= 0.02, "{last}");
     }
@@ -125,5 +129,6 @@ fn viscosity_takes_what_the_solution_of_prosperetti_says() {
         decay(include_str!("../reference/standing_viscous_prosperetti_Re200.csv"), 0.005, [40, 48], 10.0);
     let water =
         decay(include_str!("../reference/standing_viscous_prosperetti_Re2000.csv"), 5e-4, [60, 72], 10.0);
+    println!("viscous decay, Re 20, 200, 2000: {thick:.4} {thin:.4} {water:.4} of the first amplitude");
     assert!(thick <= 0.02 && thin <= 0.02 && water <= 0.02, "{thick} {thin} {water}");
 }

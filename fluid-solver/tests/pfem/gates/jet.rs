@@ -19,6 +19,10 @@ speed = "2 m/s""#;
     let entered = 2.0 * 0.1 * 0.3;
     assert!((value(&*jet, "volume-entered[m^3]") - entered).abs() <= 1e-12 * entered);
     let volume = value(&*jet, "volume[m^3]");
+    println!(
+        "a jet from a slot: volume less what came in {:.1e} of that",
+        (volume - start - entered) / entered
+    );
     assert!((volume - start - entered).abs() <= 1e-5 * entered, "{volume}");
     for x in [0.1, 0.2, 0.3, 0.4, 0.5] {
         let top = 0.1 - 0.5 * G * (x / 2.0_f64).powi(2);
@@ -27,6 +31,7 @@ speed = "2 m/s""#;
     }
     // Of the stagnation pressure.
     let pressure = value(&*jet, "pressure-max[Pa]").max(-value(&*jet, "pressure-min[Pa]"));
+    println!("pressure in it {:.4} of that of stagnation", pressure / 2000.0);
     assert!(pressure <= 0.03 * 0.5 * 1000.0 * 4.0, "{pressure} Pa");
 }
 
@@ -47,7 +52,9 @@ beyond = { point = ["0 m", "0 m", "-0.15 m"], normal = [0, 0, 1] }"#;
     let entered = value(&*jet, "volume-entered[m^3]");
     assert!((entered - 0.3 * rate).abs() <= 1e-12 * entered, "{entered}");
     // Four cells across a surface that contracts: each edge that is split or collapsed takes a little; half as much at 6 mm.
-    assert!(value(&*jet, "volume-error[-]").abs() <= 0.02);
+    let error = value(&*jet, "volume-error[-]");
+    println!("a jet from a nozzle: volume {error:.2e}");
+    assert!(error.abs() <= 1.5e-3);
     // v(s) = √(v₀² + 2gs) through the area Q/v: the volume between both planes is Q times the time between them.
     let fall = ((1.0 + 2.0 * G * 0.15_f64).sqrt() - 1.0) / G;
     let volume = value(&*jet, "volume[m^3]");

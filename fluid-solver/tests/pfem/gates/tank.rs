@@ -23,8 +23,10 @@ velocity = { expression = ["0.5*min(t/0.5, 1)", "0"] }"#;
     advance(&mut *tank, 5e-3, [0.0, 2.0]);
     let entered = 0.16 * 0.5 * (0.25 + 1.5);
     let found = value(&*tank, "volume-entered[m^3]");
-    assert!((found - entered).abs() <= 1e-6, "{found}");
-    assert!(value(&*tank, "volume-error[-]").abs() <= 1e-3);
+    let error = value(&*tank, "volume-error[-]");
+    println!("a tank that rises: entered to {:.1e} m³, volume {error:.1e}", found - entered);
+    assert!((found - entered).abs() <= 1e-12, "{found}");
+    assert!(error.abs() <= 1e-7, "{error}");
 }
 
 #[test]
@@ -48,7 +50,12 @@ plane = { point = ["0 m", "0 m"], normal = [0, 1] }"#;
     let mut tank = fluid("emptying", 2, &format!("body-force = [\"3 m/s^2\", \"0 m/s^2\"]\n{tables}"));
     advance(&mut *tank, 5e-3, [0.0, 3.0]);
     assert_eq!(value(&*tank, "nodes[-]"), 0.0);
-    assert!((value(&*tank, "volume-left[m^3]") - 0.1).abs() <= 1e-3);
+    let left = value(&*tank, "volume-left[m^3]") / 0.1;
+    println!(
+        "an open tank has no node left; of its volume {:.1e} did not leave through the outlet",
+        1.0 - left
+    );
+    assert!((left - 1.0).abs() <= 1.5e-3, "{left}");
 }
 
 #[test]
@@ -76,7 +83,12 @@ plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 1] }"#;
     );
     advance(&mut *tank, 5e-3, [0.0, 3.0]);
     assert_eq!(value(&*tank, "nodes[-]"), 0.0);
-    assert!((value(&*tank, "volume-left[m^3]") - 0.01).abs() <= 1e-4);
+    let left = value(&*tank, "volume-left[m^3]") / 0.01;
+    println!(
+        "an open tank in space has no node left, and of its volume {:+.1e} too much has left",
+        left - 1.0
+    );
+    assert!((left - 1.0).abs() <= 3e-4, "{left}");
 }
 
 #[test]
@@ -108,7 +120,8 @@ plane = { point = ["0.15 m", "0 m"], normal = [-1, 0] }"#;
         }
     }
     let volume = 0.048 * (0.012 + 1.5 * 0.6);
-    assert!((value(&*fountain, "volume[m^3]") / volume - 1.0).abs() < 5e-3);
+    println!("a fountain: volume {:+.1e}", value(&*fountain, "volume[m^3]") / volume - 1.0);
+    assert!((value(&*fountain, "volume[m^3]") / volume - 1.0).abs() < 7e-4);
 }
 
 #[test]
@@ -134,7 +147,7 @@ name = "floor"
 plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 1] }
 "#;
     let mut fountain = fluid("fountain-space", 3, &format!("{tables}{}", sides.concat()));
-    let mut start = 0.0;
+    let (mut start, mut below) = (0.0, 0);
     for end in [0.3, 0.35, 0.4, 0.45, 0.5] {
         advance(&mut *fountain, 3e-3, [start, end]);
         start = end;
@@ -145,8 +158,10 @@ plane = { point = ["0 m", "0 m", "0 m"], normal = [0, 0, 1] }
             for r in [10e-3, 20e-3] {
                 assert!((share(r) - 1.0).abs() < 1e-9, "{end} s, {r} m, ray {ray}: {}", share(r));
             }
+            below += [10e-3, 20e-3, 28e-3].into_iter().filter(|&r| share(r) < 1.0 - 1e-9).count();
             // A film that ends at the rim has cells that reach over it.
             assert!(share(28e-3) > 0.5, "{end} s, ray {ray}: {}", share(28e-3));
         }
     }
+    println!("a fountain in space: at {below} of 180 places below the inlet's velocity");
 }

@@ -16,6 +16,7 @@ fn rest<const D: usize, const N: usize>(cells: usize, count: usize) {
         tank.commit(1e-3, &solution);
         assert!(largest_speed(&tank.cloud) <= 1e-10, "{n}: {:e}", largest_speed(&tank.cloud));
     }
+    println!("half a bed of grains at rest in {D}D: {:.1e} m/s", largest_speed(&tank.cloud));
     for row in 0..count {
         let sample = tank.grains.sample(row);
         let slope = sample.pressure_gradient;

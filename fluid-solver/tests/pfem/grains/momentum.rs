@@ -25,6 +25,7 @@ pub fn reactions(grains: &[GrainRow], step: f64, random: &mut Random) -> Vec<Rea
 
 pub fn ledger_closes<const D: usize, const N: usize>(mut tank: Tank<D, N>, count: usize) {
     let mut random = Random(3);
+    let mut worst = 0.0f64;
     // The highest grains are dry, others in the surface.
     let mut rows = grains::<D>(count, 1.1 * SIDE, &mut random);
     tank.grains.populate(&tank.cloud, &rows).unwrap();
@@ -39,7 +40,8 @@ pub fn ledger_closes<const D: usize, const N: usize>(mut tank: Tank<D, N>, count
                 given = reactions(&rows, length, &mut random);
                 given.clone()
             });
-            assert!(defect(&ledger) <= 1e-12, "{:e}: {ledger:?}", defect(&ledger));
+            worst = worst.max(defect(&ledger));
+            assert!(worst <= 1e-12, "{worst:e}: {ledger:?}");
             assert!(ledger.drag.iter().any(|drag| drag.abs() > 1e-3 * ledger.scale), "{ledger:?}");
             assert!(ledger.stress.iter().any(|stress| stress.abs() > 1e-5 * ledger.scale), "{ledger:?}");
             what_grains_sample_is_what_the_fluid_gives::<D, N>(&tank.grains, &rows, &given, &ledger, length);
@@ -48,6 +50,7 @@ pub fn ledger_closes<const D: usize, const N: usize>(mut tank: Tank<D, N>, count
             }
         }
     }
+    println!("{count} grains in {D}D: momentum to {worst:.1e}");
 }
 
 /// Σ_p f_p V_p(−∇p + ∇·τ)_p Δt is the ledger's stress, Σ_p [β_e(u_p − v*) + R∇(p − p′)]Δt its drag.

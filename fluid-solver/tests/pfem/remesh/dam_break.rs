@@ -44,6 +44,11 @@ pub fn run(fluid: &mut Fluid, end: f64, dt: f64) -> Outcome {
         outcome.energy = outcome.energy.max(outcome.energy_left);
     }
     fluid.check();
+    let Outcome { volume_error, energy, energy_left } = outcome;
+    println!(
+        "to {end} s: volume {volume_error:.2e}, highest E/E0 − 1 {:.2e}, E/E0 {energy_left}",
+        energy - 1.0
+    );
     outcome
 }
 
@@ -56,10 +61,10 @@ fn column(h: f64, seed: u64) -> Fluid {
 
 #[test]
 fn through_wall_impact_and_plunge_the_volume_is_right_to_half_a_percent_and_better_on_a_finer_mesh() {
-    for (cells, allowed) in [(10.0, 5e-3), (20.0, 1e-3)] {
+    for (cells, allowed) in [(10.0, 1.5e-3), (20.0, 8e-4)] {
         let outcome = run(&mut column(A / cells, 1), 0.8, 0.01 / cells);
         assert!(outcome.volume_error < allowed, "a/{cells}: {}", outcome.volume_error);
-        assert!(outcome.energy < 1.0 + 1e-5, "a/{cells}: E/E0 = {}", outcome.energy);
+        assert!(outcome.energy <= 1.0, "a/{cells}: E/E0 = {}", outcome.energy);
     }
 }
 
@@ -68,7 +73,7 @@ fn the_bore_collapses_and_comes_to_rest_and_the_energy_decays() {
     for seed in [1, 2, 3] {
         let outcome = run(&mut column(A / 10.0, seed), 2.0, 1e-3);
         assert!(outcome.volume_error < 1e-2, "seed {seed}: {}", outcome.volume_error);
-        assert!(outcome.energy < 1.0 + 1e-5, "seed {seed}: E/E0 = {}", outcome.energy);
+        assert!(outcome.energy <= 1.0, "seed {seed}: E/E0 = {}", outcome.energy);
         assert!(outcome.energy_left < 0.5, "seed {seed}: {}", outcome.energy_left);
     }
 }
@@ -84,7 +89,8 @@ fn the_usual_rule_of_the_literature_gains_volume_where_the_moved_surface_does_no
     };
     let (default, usual) =
         (gained(Recognition::MovedDomain), gained(Recognition::AlphaShape { alpha: 1.25 }));
+    println!("gained by the rule, largest volume error: alpha shape {usual:?}, default {default:?}");
     // Though the shift of the surface takes back in each step what it can.
     assert!(usual.1 > 0.1 && usual.0 > 0.01, "{usual:?}");
-    assert!(default.1.abs() < 0.01 && default.0 < 5e-3, "{default:?}");
+    assert!(default.1.abs() < 2.5e-3 && default.0 < 1.5e-3, "{default:?}");
 }

@@ -5,6 +5,7 @@ mod drop;
 mod energy;
 mod exact;
 mod graded;
+mod momentum;
 mod sloshing;
 mod stated_motion;
 mod topology;
@@ -146,21 +147,6 @@ impl Fluid {
     pub fn energy(&self) -> f64 {
         let energy = energy(&self.cloud);
         energy.kinetic + support::G * energy.moment[1]
-    }
-
-    /// Σ m_i v_i.
-    pub fn momentum(&self) -> [f64; 2] {
-        let mut sum = [0.0; 2];
-        for cell in &self.cloud.cells {
-            let volume = volume_of(&self.cloud.vertices(cell));
-            for node in cell {
-                (0..2).for_each(|k| sum[k] += volume / 3.0 * self.cloud.velocity[*node as usize][k]);
-            }
-        }
-        for (v, drop) in self.cloud.velocity.iter().zip(&self.cloud.drop) {
-            (0..2).for_each(|k| sum[k] += drop * v[k]);
-        }
-        sum
     }
 
     /// What every cloud must be: positive cells, neighbours that know each other, books that add up.

@@ -10,15 +10,15 @@ use fluid_solver::backend::pfem::remesh::{Books, Recognition, SpaceRemesher, Tar
 use fluid_solver::backend::pfem::wall::{Grip, Shape, Wall, patches};
 use fluid_solver::element::simplex::volume_and_areas;
 
-/// Moves the nodes in a stated field and remeshes.
+/// Moves the nodes in a stated field and remeshes; the largest error of the volume.
 fn carry(
     cloud: &mut Cloud<3, 4>,
     books: &mut Books<3>,
     size: f64,
     steps: usize,
     velocity: impl Fn([f64; 3]) -> [f64; 3],
-) {
-    let mut remesher = SpaceRemesher::default();
+) -> f64 {
+    let (mut remesher, mut worst) = (SpaceRemesher::default(), 0.0f64);
     for n in 0..steps {
         for x in &mut cloud.place {
             let v = velocity(*x);
@@ -28,7 +28,9 @@ fn carry(
         assert!(cloud.cells.iter().all(|cell| volume_and_areas(&cloud.vertices(cell)).0 > 0.0));
         let wet = cloud.wet();
         assert!((0..wet.len()).all(|node| wet[node] == (cloud.drop[node] == 0.0)), "a node is wet or a drop");
+        worst = worst.max(books.volume.missing().abs() / books.volume.target);
     }
+    worst
 }
 
 #[test]
@@ -41,13 +43,26 @@ fn a_sheet_one_cell_thick_flies_as_it_is() {
 }
 
 #[test]
-fn a_sheet_drawn_out_to_a_seventh_of_a_cell_keeps_its_volume() {
+fn a_sheet_drawn_out_to_a_seventh_of_a_cell_has_its_volume_again_after_its_rim_became_an_edge() {
     let mut cloud: Cloud<3, 4> = block([1.0, 1.0, 0.125], [8, 8, 1], 0.0);
     let mut books = Books::start(&cloud);
-    carry(&mut cloud, &mut books, 0.125, 100, |[x, y, z]| [0.5 * x, 0.5 * y, -z]);
+    let spread = |[x, y, z]: [f64; 3]| [0.5 * x, 0.5 * y, -z];
+    let missing = |books: &Books<3>| books.volume.missing().abs() / books.volume.target;
+    // At half a cell both nodes of each upright edge of the rim become one, in one step.
+    let before = carry(&mut cloud, &mut books, 0.125, 34, spread);
+    let lost = carry(&mut cloud, &mut books, 0.125, 1, spread);
+    carry(&mut cloud, &mut books, 0.125, 10, spread);
+    let again = missing(&books);
+    let after = carry(&mut cloud, &mut books, 0.125, 55, spread);
     let height = cloud.place.iter().map(|x| x[2]).fold(0.0, f64::max);
+    println!(
+        "a sheet drawn out to {height:.4} m: volume {before:.1e}, {lost:.3} in a step, {again:.1e} ten later, {after:.1e}"
+    );
     assert!(height < 0.025, "{height}");
-    assert!(books.volume.missing().abs() <= 0.05 * books.volume.target, "{}", books.volume.missing());
+    assert!(
+        before <= 4e-4 && lost <= 0.15 && again <= 1.5e-3 && after <= 1.5e-3,
+        "{before} {lost} {again} {after}"
+    );
 }
 
 #[test]
@@ -143,7 +158,8 @@ fn a_drop_that_falls_into_a_pool_becomes_part_of_it_and_has_no_energy_but_of_the
         highest = highest.max(mechanical(&cloud) - gained.max(0.0));
         worst = worst.max(books.volume.missing().abs() / books.volume.target);
     }
-    assert!(worst <= 5e-3, "{worst}");
-    assert!(highest <= start * (1.0 + 1e-6), "{highest} {start}");
+    println!("a drop into a pool in space: volume {worst:.2e}, E/E0 − 1 {:.1e}", highest / start - 1.0);
+    assert!(worst <= 3e-3, "{worst}");
+    assert!(highest <= start * (1.0 + 1e-9), "{highest} {start}");
     assert!(mechanical(&cloud) < 0.99 * start, "{}", mechanical(&cloud) / start);
 }
