@@ -13,13 +13,22 @@ pub struct Worst {
     pub halved: u32,
 }
 
+/// What ended a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// When \[s\].
+    pub time: f64,
+    /// What, where and what to do.
+    pub message: String,
+}
+
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// At its end.
     Ran(Worst),
-    /// By an error, at this time \[s\].
-    Stopped(f64, String),
+    /// By an error, after this.
+    Stopped(Worst, Fault),
 }
 
 /// What a run is worth.
@@ -74,6 +83,24 @@ const GROWTH: f64 = 1e-4;
 /// By more than this it comes out of nothing.
 const OUT_OF_NOTHING: f64 = 1e-3;
 
+impl Worst {
+    /// Of a run that has not begun.
+    pub const NONE: Self = Self { volume_error: 0.0, energy_growth: 1.0, speed: 0.0, halved: 0 };
+
+    fn told(&self) -> String {
+        let Self { volume_error, energy_growth, speed, halved } = self;
+        format!(
+            "volume error {volume_error:.1e}, E/E0 at most {energy_growth:.4}, speed at the end {speed:.1e} m/s, {halved} windows halved"
+        )
+    }
+}
+
+impl Fault {
+    fn tells_where(&self) -> bool {
+        self.message.contains(" at [")
+    }
+}
+
 impl Outcome {
     /// Its worth.
     pub fn verdict(&self, expected: Expected) -> Verdict {
@@ -98,10 +125,13 @@ impl Outcome {
                     Verdict::Stable
                 }
             }
-            (Self::Stopped(_, message), Expected::Refusal(why)) if message.contains(why) => Verdict::Stopped,
+            (Self::Stopped(_, fault), Expected::Refusal(why)) if fault.message.contains(why) => {
+                Verdict::Stopped
+            }
             // Whoever asks for a run may be told that it cannot be had, if he is told where and why.
-            (Self::Stopped(_, message), Expected::Run { .. } | Expected::Open { .. })
-                if message.contains(" at [") =>
+            (Self::Stopped(_, fault), Expected::Open { .. }) if fault.tells_where() => Verdict::Stopped,
+            (Self::Stopped(worst, fault), Expected::Run { .. })
+                if fault.tells_where() && worst.energy_growth <= 1.0 + OUT_OF_NOTHING =>
             {
                 Verdict::Stopped
             }
@@ -112,10 +142,11 @@ impl Outcome {
     /// For the table.
     pub fn told(&self) -> String {
         match self {
-            Self::Ran(Worst { volume_error, energy_growth, speed, halved }) => format!(
-                "volume error {volume_error:.1e}, E/E0 at most {energy_growth:.4}, speed at the end {speed:.1e} m/s, {halved} windows halved"
-            ),
-            Self::Stopped(time, message) => format!("at {time:.4} s: {message}"),
+            Self::Ran(worst) => worst.told(),
+            Self::Stopped(worst, Fault { time, message }) if *time > 0.0 => {
+                format!("at {time:.4} s: {message}; until then {}", worst.told())
+            }
+            Self::Stopped(_, Fault { message, .. }) => message.clone(),
         }
     }
 }
@@ -148,10 +179,14 @@ mod tests {
 
     #[test]
     fn a_run_that_stops_says_where_and_a_refusal_that_is_due_says_why() {
-        let stopped = |message: &str| Outcome::Stopped(0.1, message.to_string());
+        let after = |worst: Worst, message: &str| {
+            Outcome::Stopped(worst, Fault { time: 0.1, message: message.to_string() })
+        };
+        let stopped = |message: &str| after(WORST, message);
         let fault =
             "cell 3 at [0.1, 0.2] would be turned over, swollen or sheared too far in the step of 1e-9 s";
         assert_eq!(stopped(fault).verdict(RUN), Verdict::Stopped);
+        assert_eq!(after(Worst { energy_growth: 1e12, ..WORST }, fault).verdict(RUN), Verdict::Broken);
         assert_eq!(stopped("no").verdict(RUN), Verdict::Broken);
         assert_eq!(stopped("two nodes are at").verdict(Expected::Refusal("two nodes")), Verdict::Stopped);
         assert_eq!(stopped("no").verdict(Expected::Refusal("two nodes")), Verdict::Broken);

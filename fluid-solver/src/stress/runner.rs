@@ -6,7 +6,7 @@ use std::path::Path;
 use case_io::document::{Case, Overrides};
 use case_io::output::OutputError;
 
-use super::outcome::{Outcome, Worst};
+use super::outcome::{Fault, Outcome, Worst};
 use super::trial::Trial;
 use crate::backend::{self, Attempt, FluidBackend, Step};
 
@@ -21,19 +21,18 @@ pub fn run(trial: &Trial, folder: &Path) -> Result<Outcome, OutputError> {
     fs::create_dir_all(folder).map_err(OutputError::system("make", folder))?;
     let path = folder.join("case.toml");
     fs::write(&path, trial.case()).map_err(OutputError::system("write", &path))?;
-    let mut time = 0.0;
-    Ok(match advance(trial, folder, &mut time) {
-        Ok(worst) => Outcome::Ran(worst),
-        Err(message) => Outcome::Stopped(time, message),
+    let (mut time, mut worst) = (0.0, Worst::NONE);
+    Ok(match advance(trial, folder, &mut time, &mut worst) {
+        Ok(()) => Outcome::Ran(worst),
+        Err(message) => Outcome::Stopped(worst, Fault { time, message }),
     })
 }
 
-/// The worst of a run, or the message that ended it.
-fn advance(trial: &Trial, folder: &Path, time: &mut f64) -> Result<Worst, String> {
+/// Runs it and keeps the worst, or says what ended it.
+fn advance(trial: &Trial, folder: &Path, time: &mut f64, worst: &mut Worst) -> Result<(), String> {
     let case = Case::load_run(folder, &Overrides::default(), None).map_err(told)?;
     let mut fluid = backend::of(&case, true).map_err(told)?;
     let first = energy(fluid.as_ref(), 0.0);
-    let mut worst = Worst { volume_error: 0.0, energy_growth: 1.0, speed: 0.0, halved: 0 };
     let mut halvings = 0;
     while *time < trial.end * (1.0 - 1e-9) {
         let whole = trial.window * 0.5_f64.powi(halvings as i32);
@@ -63,7 +62,7 @@ fn advance(trial: &Trial, folder: &Path, time: &mut f64) -> Result<Worst, String
             }
         }
     }
-    Ok(worst)
+    Ok(())
 }
 
 fn told(error: impl ToString) -> String {
