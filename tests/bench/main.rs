@@ -75,10 +75,9 @@ fn the_map_of_stress_has_a_row_for_each_trial_and_water_at_rest_is_right_in_all_
     let rows: Vec<&str> = text.lines().skip(1).collect();
     assert_eq!(rows.len(), 12, "{text}");
     for row in rows {
-        assert!(row.split(',').nth(2) == Some("\"right\""), "{row}");
-        let what = row.split("\",\"").nth(1).unwrap();
-        assert!(std::fs::read_dir(&out).unwrap().any(|entry| {
-            entry.unwrap().file_name().to_string_lossy().ends_with(&what.replace(' ', "-"))
-        }));
+        let fields: Vec<&str> = row.trim_matches('"').split("\",\"").collect();
+        assert_eq!(fields[2], "right", "{row}");
+        let folder = format!("{}-{}", fields[0], fields[1].replace(' ', "-"));
+        assert!(out.join(folder).join("case.toml").exists(), "{row}");
     }
 }
