@@ -19,8 +19,11 @@ pub fn refine<const D: usize, const N: usize>(
     walls: &[Wall<D>],
     size: &TargetSize,
 ) -> Result<(), delaunay::Error> {
+    if matches!(size, TargetSize::Constant(_)) {
+        return Ok(());
+    }
     let mut books = Books::start(cloud);
-    for _ in 0..if *size == TargetSize::Constant(size.largest()) { 0 } else { MOST } {
+    for _ in 0..MOST {
         let nodes = cloud.place.len();
         renewal.remesh(cloud, walls, 0.0, size, &mut books)?;
         if cloud.place.len() == nodes {

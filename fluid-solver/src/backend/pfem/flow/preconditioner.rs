@@ -80,12 +80,14 @@ impl<const D: usize> Preconditioning<D> {
     ) -> Result<(), linear::Error> {
         let Rates { inertia, compressibility, mobility, friction } = rates;
         self.velocity.refresh(topology, assembly, constraints, (inertia, friction), grains)?;
-        for_each(&mut self.lightness, |node, lightness| {
-            let cells = topology.corners(node).iter().map(|corner| &assembly.cells[corner.cell as usize]);
-            let lack: f64 = cells.map(|cell| (1.0 - cell.fullness) / (cell.inverse * N as f64)).sum();
-            let volume = assembly.volumes[node];
-            *lightness = if volume > 0.0 { 1.0 + lack / volume } else { 1.0 };
-        });
+        if grains.is_none() && mobility.is_none() {
+            for_each(&mut self.lightness, |node, lightness| {
+                let cells = topology.corners(node).iter().map(|corner| &assembly.cells[corner.cell as usize]);
+                let lack: f64 = cells.map(|cell| (1.0 - cell.fullness) / (cell.inverse * N as f64)).sum();
+                let volume = assembly.volumes[node];
+                *lightness = if volume > 0.0 { 1.0 + lack / volume } else { 1.0 };
+            });
+        }
         let lightness = &self.lightness;
         let mobility = |index: usize, nodes: &[u32; N]| match (&grains, mobility) {
             (_, Some(mobility)) => mobility(&assembly.cells[index]),
